@@ -7,7 +7,7 @@
 //! reversal is left out. So is play that differs round the wheel (`uneven-backlash`).
 
 use super::super::machine::Effect;
-use super::needs::a_drive_that_shows;
+use super::needs::teeth;
 use crate::process::{Belongs, Odds, Parameter};
 use crate::units::SMALL_ANGLE;
 
@@ -23,9 +23,10 @@ pub static BACKLASH: Effect<1> = Effect {
     look_alikes: &[
         ("elastic-wind-up", "a torque beyond friction: play shows no more, and the drive gives way as before"),
         ("uneven-backlash", "targets all round, from both sides"),
+        ("reference-shift", "approaches from both sides: play is of one of them"),
         ("thermal-drift", "the order of approaches: + always before - lets drift pass for play"),
     ],
-    needs: a_drive_that_shows,
+    needs: teeth,
     act: |[gap], machine| machine.gap += gap,
 };
 

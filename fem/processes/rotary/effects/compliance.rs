@@ -19,7 +19,7 @@ pub static COMPLIANCE: Effect<1> = Effect {
     source: "Hooke's law",
     belongs: Belongs::Test,
     odds: Odds::of(0.7, "no drive is rigid, and few torques are large"),
-    parameters: [Parameter::stiffness(TORSIONAL_STIFFNESS, "of the whole drive at the table", (0.02, 50.0))],
+    parameters: [Parameter::stiffness(TORSIONAL_STIFFNESS, "of the whole drive at the table", (0.002, 50.0))],
     look_alikes: &[("elastic-wind-up", "no torque from outside: friction alone winds the drive up, either way")],
     needs: a_rigid_drive,
     act: |[stiffness], machine| machine.soften(stiffness),

@@ -12,7 +12,7 @@ use crate::process::{Belongs, Odds, Parameter};
 use crate::units::{TORQUE, TORSIONAL_STIFFNESS};
 
 /// Where the spring does not switch the effect: friction does.
-const SPRING: (f64, f64) = (0.02, 50.0);
+const SPRING: (f64, f64) = (0.002, 50.0);
 
 /// `elastic-wind-up`.
 pub static ELASTIC_WIND_UP: Effect<2> = Effect {
@@ -21,7 +21,7 @@ pub static ELASTIC_WIND_UP: Effect<2> = Effect {
     law: "deviation += sign*friction*(1/stiffness + 1/drive.stiffness), sign -1 in +, +1 in -",
     source: "Hooke's law; seed 000, fig. 2b, with angles",
     belongs: Belongs::Test,
-    odds: Odds::of(0.4, "every drive winds up, that of a table on rolling bearings by little"),
+    odds: Odds::of(0.3, "every drive winds up, that of a table on rolling bearings by little"),
     parameters: [
         Parameter::amplitude("friction", TORQUE, "of the table, against the motion", (0.1, 200.0)),
         Parameter::shape("stiffness", TORSIONAL_STIFFNESS, "of what yields beside [drive] stiffness", SPRING)
@@ -29,6 +29,7 @@ pub static ELASTIC_WIND_UP: Effect<2> = Effect {
     ],
     look_alikes: &[
         ("backlash", "a torque beyond friction: play shows no more, and the drive gives way as before"),
+        ("reference-shift", "approaches from both sides: friction holds the table back either way, an offset does not"),
         ("compliance", "no torque from outside: friction alone winds the drive up, either way"),
     ],
     needs: a_drive_that_shows,

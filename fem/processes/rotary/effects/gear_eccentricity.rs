@@ -1,7 +1,7 @@
-//! The pinion that drives the wheel on the table runs out.
+//! The pinion of the last pair of gears runs out.
 //!
-//! A·sin(iθ + phase), A in rad at the table, i = z₂/z₁ the ratio of the last pair of gears, so that it comes back with every
-//! turn of the pinion. A pinion off its axis by e (m) moves the pitch line by e, and a wheel of pitch radius r by A = e/r.
+//! A·sin(iθ + phase), A in rad at the table, i the turns of that pinion in one of the table: the ratio of the pair, times that of a
+//! worm that follows. A pinion off its axis by e (m) moves the pitch line by e, and a gear of pitch radius r by e/r.
 //! Left out: what the shaft before it adds (`motor-gear-eccentricity`), and middle shafts of three stages and more, whose
 //! errors the ratios behind them make smaller.
 
@@ -13,8 +13,8 @@ use crate::units::{ANGLE, SMALL_ANGLE};
 /// `gear-eccentricity`.
 pub static GEAR_ECCENTRICITY: Effect<2> = Effect {
     name: "gear-eccentricity",
-    about: "the pinion that drives the wheel on the table is off its axis",
-    law: "deviation += amplitude*sin(i*angle + phase), i = driven/driving of the last of drive.stages",
+    about: "the pinion of the last pair of gears is off its axis",
+    law: "deviation += amplitude*sin(i*angle + phase), i = driven/driving of the last of drive.stages, times teeth/starts of a worm behind it",
     source: "geometry of an eccentric circle, first order in e/r",
     belongs: Belongs::Test,
     odds: Odds::of(0.7, "pinions run out by some micrometres, and their wheels are small"),
@@ -29,7 +29,7 @@ pub static GEAR_ECCENTRICITY: Effect<2> = Effect {
     ],
     needs: gears,
     act: |[amplitude, phase], machine| {
-        let turns = machine.setup.drive.last().map_or(0.0, |stage| stage.ratio());
+        let turns = machine.setup.drive.turns_of_pinion().unwrap_or(0.0);
         machine.add(move |angle, _| amplitude * (turns * angle + phase).sin());
     },
 };

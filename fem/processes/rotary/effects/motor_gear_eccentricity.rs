@@ -1,7 +1,7 @@
 //! The gear on the motor of a train of two stages or more runs out.
 //!
 //! A·sin(nθ + phase), A in rad at the table, n the turns of the motor in one of the table. Of one stage the gear on the motor
-//! is the pinion that drives the wheel on the table, which `gear-eccentricity` tells.
+//! is its pinion, which `gear-eccentricity` tells.
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;
@@ -13,7 +13,7 @@ use crate::units::{ANGLE, SMALL_ANGLE};
 pub static MOTOR_GEAR_ECCENTRICITY: Effect<2> = Effect {
     name: "motor-gear-eccentricity",
     about: "the gear on the motor of a train of several stages is off its axis",
-    law: "deviation += amplitude*sin(n*angle + phase), n = product of driven/driving over drive.stages",
+    law: "deviation += amplitude*sin(n*angle + phase), n = product of driven/driving over drive.stages, times teeth/starts of a worm behind them",
     source: "geometry of an eccentric circle, first order in e/r",
     belongs: Belongs::Test,
     odds: Odds::of(0.3, "the ratios behind it make it small"),
@@ -34,7 +34,7 @@ pub static MOTOR_GEAR_ECCENTRICITY: Effect<2> = Effect {
 
 fn several_stages(setup: &Setup) -> Result<(), String> {
     gears(setup)?;
-    match setup.drive.stages() {
+    match setup.drive.stages.len() {
         0 | 1 => Err("needs two stages of gears: of one the gear on the motor is that of `gear-eccentricity`".into()),
         _ => Ok(()),
     }

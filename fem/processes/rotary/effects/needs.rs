@@ -15,7 +15,7 @@ pub fn a_drive_that_shows(setup: &Setup) -> Result<(), String> {
 
 /// A worm, and nothing that takes its errors out.
 pub fn a_worm(setup: &Setup) -> Result<(), String> {
-    match setup.drive.worm() {
+    match setup.drive.worm {
         Some(_) => a_drive_that_shows(setup),
         None => Err("needs a worm: `type = \"worm\"` in [drive]".into()),
     }
@@ -23,9 +23,17 @@ pub fn a_worm(setup: &Setup) -> Result<(), String> {
 
 /// Gears, and nothing that takes their errors out.
 pub fn gears(setup: &Setup) -> Result<(), String> {
-    match setup.drive.last() {
-        Some(_) => a_drive_that_shows(setup),
-        None => Err("needs a train of gears: `type = \"gears\"` in [drive]".into()),
+    match setup.drive.stages[..] {
+        [] => Err("needs gears: `stages` in [drive]".into()),
+        _ => a_drive_that_shows(setup),
+    }
+}
+
+/// Teeth between motor and table, and nothing that takes their errors out.
+pub fn teeth(setup: &Setup) -> Result<(), String> {
+    match setup.drive.is_direct() {
+        true => Err("needs teeth between motor and table, and a direct drive has none".into()),
+        false => a_drive_that_shows(setup),
     }
 }
 

@@ -22,6 +22,7 @@ pub static RATIO_ERROR: Effect<1> = Effect {
     odds: Odds::of(0.3, "teeth are whole numbers, and steps a degree are rounded"),
     parameters: [Parameter::signed("slope", ANGLE_SLOPE, "error per angle", (-5.0, 5.0))],
     look_alikes: &[
+        ("thermal-drift", "angles in another order: a ratio follows the angle, drift the time"),
         ("wheel-eccentricity", "more of a turn: a part of a sine is nearly straight"),
         ("scale-eccentricity", "more of a turn: a part of a sine is nearly straight"),
     ],

@@ -14,7 +14,7 @@ pub static REFERENCE_SHIFT: Effect<1> = Effect {
     law: "deviation += offset",
     source: "seed 001, readings from a reference point",
     belongs: Belongs::Test,
-    odds: Odds::of(0.3, "a zero is set once for a test"),
+    odds: Odds::of(0.7, "a zero is set once for a test, and an arc second is little"),
     parameters: [Parameter::signed("offset", SMALL_ANGLE, "of the reference point", (-300.0, 300.0))],
     look_alikes: &[
         ("worm-error", "targets that are no multiples of a turn of the worm: only there its error varies"),
@@ -29,6 +29,8 @@ pub static REFERENCE_SHIFT: Effect<1> = Effect {
             "targets that are no multiples of a turn of the motor: only there its error varies",
         ),
         ("interpolation-error", "targets that are no multiples of a line: only there its error varies"),
+        ("elastic-wind-up", "approaches from both sides: friction holds the table back either way, an offset does not"),
+        ("backlash", "approaches from both sides: play is of one of them"),
         ("thermal-drift", "cold and warm: only drift follows the time"),
     ],
     needs: nothing,

@@ -22,6 +22,7 @@ pub static THERMAL_DRIFT: Effect<2> = Effect {
     ],
     look_alikes: &[
         ("reference-shift", "cold and warm: only drift follows the time"),
+        ("ratio-error", "angles in another order: a ratio follows the angle, drift the time"),
         ("backlash", "the order of approaches: + always before - lets drift pass for play"),
     ],
     needs: nothing,

@@ -6,7 +6,7 @@
 //! B_i of ISO 230-2 show it target by target. Left out: a table that binds where both together are below zero.
 
 use super::super::machine::Effect;
-use super::needs::a_drive_that_shows;
+use super::needs::teeth;
 use crate::process::{Belongs, Odds, Parameter};
 use crate::units::{ANGLE, SMALL_ANGLE};
 
@@ -26,7 +26,7 @@ pub static UNEVEN_BACKLASH: Effect<2> = Effect {
         ("backlash", "targets all round, from both sides"),
         ("unbalance", "a torque that keeps the table on one flank: play shows no more, what is out of balance does"),
     ],
-    needs: a_drive_that_shows,
+    needs: teeth,
     act: |[change, phase], machine| machine.add_play(move |angle| change * (angle + phase).cos()),
 };
 

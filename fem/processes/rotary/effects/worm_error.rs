@@ -28,7 +28,7 @@ pub static WORM_ERROR: Effect<2> = Effect {
     ],
     needs: a_worm,
     act: |[amplitude, phase], machine| {
-        let turns = machine.setup.drive.ratio();
+        let turns = machine.setup.drive.turns_of_worm().unwrap_or(0.0);
         machine.add(move |angle, _| amplitude * (turns * angle + phase).sin());
     },
 };

@@ -27,7 +27,7 @@ pub static WORM_SECOND_HARMONIC: Effect<2> = Effect {
     ],
     needs: a_worm,
     act: |[amplitude, phase], machine| {
-        let turns = 2.0 * machine.setup.drive.ratio();
+        let turns = 2.0 * machine.setup.drive.turns_of_worm().unwrap_or(0.0);
         machine.add(move |angle, _| amplitude * (turns * angle + phase).sin());
     },
 };

@@ -5,7 +5,6 @@ mod sketch;
 
 use std::f64::consts::TAU;
 
-use super::drive::Gearing;
 use super::machine::Machine;
 use super::rows::{ANGLE_OF_ROW, COORDINATES, DIRECTION, OBSERVABLES, RUN, TIME_OF_ROW, TORQUE_OF_ROW};
 use super::setup::Setup;
@@ -75,13 +74,13 @@ fn lost_motion(machine: &Machine) -> Figure {
 /// Figure of the ratio and the stiffness of the drive.
 fn drive(machine: &Machine) -> Figure {
     let (drive, stiffness) = (&machine.setup.drive, 1.0 / machine.compliance);
-    let what = match &drive.gearing {
-        Gearing::Worm { teeth, starts } => format!("worm {starts}:{teeth}"),
-        Gearing::Gears(stages) => {
-            let pairs: Vec<String> = stages.iter().map(|s| format!("{}:{}", s.driving, s.driven)).collect();
-            format!("gears {}, {:.6} to one", pairs.join(", "), drive.ratio())
-        }
-        Gearing::Direct => "direct".into(),
+    let pairs: Vec<String> = drive.stages.iter().map(|s| format!("{}:{}", s.driving, s.driven)).collect();
+    let gears = (!pairs.is_empty()).then(|| format!("gears {}", pairs.join(", ")));
+    let worm = drive.worm.map(|worm| format!("worm {}:{}", worm.starts, worm.teeth));
+    let parts: Vec<String> = gears.into_iter().chain(worm).collect();
+    let what = match &parts[..] {
+        [] => "direct".to_string(),
+        parts => format!("{}, {} to one", parts.join(", "), (drive.ratio() * 1e4).round() / 1e4),
     };
     let yields = match () {
         () if machine.setup.is_closed() => "the scale on the table takes its errors out".into(),
@@ -107,9 +106,6 @@ fn warnings(setup: &Setup) -> Vec<String> {
             )
         })
     };
-    let of_gearing = match setup.drive.gearing {
-        Gearing::Worm { .. } => "a turn of the worm",
-        Gearing::Gears(_) | Gearing::Direct => "a tooth of the wheel",
-    };
+    let of_gearing = if setup.drive.worm.is_some() { "a turn of the worm" } else { "a tooth of the wheel" };
     seen(gearing, of_gearing).into_iter().chain(seen(line, "a line of the scale")).collect()
 }

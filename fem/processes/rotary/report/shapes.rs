@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use super::super::drive::Gearing;
 use super::super::forward::borne;
 use super::super::machine::Machine;
 use super::super::rows::{approach, torque};
@@ -119,19 +118,18 @@ fn bodies(setup: &Setup, at: f64, stops: &[Stop]) -> Vec<Body> {
     bodies.push(Body::new("index", Role::Work, index));
     let up = setup.point(0.0, 0.0, 1.0);
     let across = setup.point(0.0, 1.0, 0.0);
-    let driving = match &setup.drive.gearing {
-        Gearing::Worm { .. } => {
+    let driving = match (setup.drive.worm, setup.drive.turns_of_pinion()) {
+        (Some(_), _) => {
             let from = setup.point(-TAU / 4.0, 1.15 * radius, -3.0 * thick);
             let from = [0, 1, 2].map(|c| from[c] - 0.7 * radius * across[c]);
             Some(("worm", Skin::turned(None, from, across, &[(0.0, 0.14 * radius), (1.4 * radius, 0.14 * radius)])))
         }
-        Gearing::Gears(stages) => {
-            let ratio = stages.last().map_or(1.0, |stage| stage.ratio());
+        (None, Some(ratio)) => {
             let own = radius / ratio.max(0.2);
             let from = setup.point(-TAU / 4.0, radius + own, -3.0 * thick);
             Some(("pinion", Skin::turned(None, from, up, &[(0.0, own), (1.5 * thick, own)])))
         }
-        Gearing::Direct => None,
+        (None, None) => None,
     };
     bodies.extend(driving.map(|(name, skin)| Body::new(name, Role::Machine, skin)));
     let low = setup.point(0.0, 0.0, -5.0 * thick);

@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use super::super::drive::Gearing;
 use super::super::machine::Machine;
 use super::super::scale::At;
 use crate::process::{Part, Sketch};
@@ -20,16 +19,16 @@ pub fn sketch(machine: &Machine) -> Sketch {
     let setup = &machine.setup;
     let (radius, middle) = (setup.shown_radius(), setup.from + 0.5 * setup.range);
     let mut parts = vec![Part::Body(vec![circle([0.0, 0.0], radius)])];
-    match &setup.drive.gearing {
-        Gearing::Worm { .. } => {
+    match (setup.drive.worm, setup.drive.turns_of_pinion()) {
+        (Some(_), _) => {
             let [long, half] = WORM.map(|own| own * radius);
             parts.push(Part::rectangle([-0.5 * long, -radius - 2.0 * half], [0.5 * long, -radius]));
         }
-        Gearing::Gears(stages) => {
-            let own = radius / stages.last().map_or(1.0, |stage| stage.ratio()).max(0.2);
+        (None, Some(ratio)) => {
+            let own = radius / ratio.max(0.2);
             parts.push(Part::Body(vec![circle([0.0, -radius - own], own)]));
         }
-        Gearing::Direct => {}
+        (None, None) => {}
     }
     if let Some(ring) = setup.scale.filter(|scale| scale.at == At::Table).and_then(|scale| scale.radius) {
         parts.push(Part::Body(vec![circle([0.0, 0.0], ring), circle([0.0, 0.0], (1.0 - RING) * ring)]));
