@@ -10,6 +10,9 @@ pub fn cases() -> Vec<Case> {
 
 const FREE: (f64, f64) = (0.0, 0.0);
 
+/// The rule of a maker of scales, and his example.
+const RULE: &str = "HEIDENHAIN, Position Encoders for Servo Drives: 412*e/D";
+
 fn arcsec(name: &str, expected: f64, computed: f64, source: &'static str) -> Case {
     row(name, "deviation", (expected, computed, "arcsec"), ROUND_OFF, source)
 }
@@ -67,6 +70,10 @@ fn wheels_and_rings() -> Vec<Case> {
             + &off("scale-eccentricity", "eccentricity = \"8 um\"")),
     );
     let at = |axis: &Option<Machine>, angle| deviation(axis, angle, Forward, FREE);
+    let small = axis(
+        &WORM.replace("radius = \"80 mm\"", "radius = \"19.25 mm\""),
+        &off("scale-eccentricity", "eccentricity = \"1 um\""),
+    );
     let circle = "geometry of an eccentric circle, e/r";
     vec![
         arcsec("wheel of 150 mm, 15 um off, at 90 deg", 1e-4 * ARCSEC, at(&wheel, 90.0), circle),
@@ -78,7 +85,14 @@ fn wheels_and_rings() -> Vec<Case> {
             // The rule is printed to three digits.
             (412.0 * 4.0 / 160.0, at(&ring, 90.0), "arcsec"),
             Tolerance::Relative(2e-3),
-            "HEIDENHAIN, Angle Encoders: 412*e/D",
+            RULE,
+        ),
+        row(
+            "ring of 38.5 mm across, 1 um off",
+            "largest deviation",
+            (10.7, at(&small, 90.0), "arcsec"),
+            Tolerance::Absolute(0.05),
+            RULE,
         ),
         arcsec("wheel and ring off alike, at 90 deg", 2e-4 * ARCSEC, at(&both, 90.0), "geometry: both add"),
         arcsec("oval ring, at 45 deg", 3.0, at(&oval, 45.0), "sin(2*angle)"),

@@ -16,7 +16,7 @@ pub static INTERPOLATION_ERROR: Effect<2> = Effect {
     name: "interpolation-error",
     about: "an error that repeats with every line of the scale",
     law: "deviation += amplitude*sin(N*angle + phase), N = scale.lines, times the ratio of the drive where the scale is on the motor",
-    source: "HEIDENHAIN, Angle Encoders, position error within one signal period",
+    source: "HEIDENHAIN, Position Encoders for Servo Drives, position error within one signal period",
     belongs: Belongs::Test,
     odds: Odds::of(0.4, "interpolation leaves about a hundredth of a line"),
     parameters: [

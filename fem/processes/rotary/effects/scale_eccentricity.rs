@@ -1,7 +1,7 @@
 //! The scale on the table runs out.
 //!
 //! (e/r)·sin(θ + phase): a ring of lines of radius r (m) that is mounted by e (m) off the axis passes its one reading head
-//! too fast and too slow once a turn [geometry of an eccentric circle; HEIDENHAIN, Δφ = ±412·e/D in arcsec with e in um and
+//! too fast and too slow once a turn [geometry of an eccentric circle; HEIDENHAIN, Position Encoders for Servo Drives, Δφ = ±412·e/D in arcsec with e in um and
 //! D in mm]. Of a loop that the scale closes the table stands off by as much with the other sign, which is another phase.
 //! Readings of this one head cannot tell it from a wheel that runs out; the mean of two heads that stand opposite each other
 //! has none. Left out: a ring that is oval (`scale-second-harmonic`), the run-out of the bearing, which adds to e.
@@ -17,7 +17,7 @@ pub static SCALE_ECCENTRICITY: Effect<2> = Effect {
     name: "scale-eccentricity",
     about: "the ring of the scale on the table is mounted off its axis",
     law: "deviation += eccentricity/scale.radius*sin(angle + phase)",
-    source: "HEIDENHAIN, Angle Encoders, error of an eccentric mounting: 412*e/D",
+    source: "HEIDENHAIN, Position Encoders for Servo Drives, error of an eccentric graduation: 412*e/D",
     belongs: Belongs::Test,
     odds: Odds::of(0.7, "rings are centred to some micrometres, which are arc seconds"),
     parameters: [

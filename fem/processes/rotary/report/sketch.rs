@@ -49,7 +49,8 @@ pub fn sketch(machine: &Machine) -> Sketch {
     }
     let play = machine.play(middle);
     let play = if play == 0.0 { String::new() } else { format!(", play {:.2}", SMALL_ANGLE.shown(play)) };
-    let title = format!("the table along its axis, {:.4} turns of the motor in one of it{play}", setup.drive.ratio());
+    let ratio = (setup.drive.ratio() * 1e4).round() / 1e4;
+    let title = format!("the table along its axis, {ratio} turns of the motor in one of it{play}");
     Sketch { title, parts }
 }
 
