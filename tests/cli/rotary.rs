@@ -202,9 +202,10 @@ fn a_worm_is_found_in_the_turn_that_it_has() {
     for run in 1..=3 {
         for i in 0..40 {
             let angle = 0.47 * f64::from(i);
-            // Every worm of 180 teeth turns once in 2 degrees; the rest is a rounding of 0.1 arcsec.
-            let off = 7.0 * (180.0 * angle.to_radians() + 0.6).sin();
-            text += &format!("{run},{angle:.3},+,{off:.1},0.03\n");
+            // A worm of 180 teeth turns once in 2 degrees; the rest scatters evenly over a second of arc.
+            let noise = f64::from((37 * i + 101 * run) % 21 - 10) / 20.0;
+            let off = 7.0 * (180.0 * angle.to_radians() + 0.6).sin() + noise;
+            text += &format!("{run},{angle:.3},+,{off:.3},0.3\n");
         }
     }
     place.write("measured.csv", text);

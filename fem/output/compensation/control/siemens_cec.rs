@@ -2,7 +2,8 @@
 //! [Siemens, Function Manual Extended Functions, 6FC5397-1BP40-3BA1 (2013), K3, 4.4.3 and 4.4.4; file as in the
 //! Function Manual of the 802D sl, 6FC5397-1CP10-5BA0 (2012), 11.3].
 //!
-//! Values in mm, of a rotary axis in deg, at points of equal distance, linear between them; the first and the last hold beyond the ends.
+//! Values in mm, of a rotary axis in deg, at points of equal distance, linear between them; the first and the last
+//! hold beyond the ends.
 //! `$AN_CEC_DIRECTION` = 1 and −1 make a table act on the way forwards and backwards alone, which "compensates
 //! backlash by position". Machine data 18342 reserves the points of a table; the 828D has 8 tables of 200. The manual
 //! prints the sign of `$AA_ENC_COMP` alone, where a positive value moves the axis in the negative direction; the same

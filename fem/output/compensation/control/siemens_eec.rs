@@ -1,9 +1,9 @@
 //! SINUMERIK 840D sl, 828D, 808D, ONE: compensation of leadscrew and measuring system, `$AA_ENC_COMP` [Siemens,
 //! Function Manual Extended Functions, 6FC5397-1BP40-3BA1 (2013), K3, 4.4.2; 808D Function Manual (01/2017)].
 //!
-//! Values in mm, of a rotary axis in deg, at points of equal distance, linear between them, one table for both directions. A positive value
-//! moves the axis in the negative direction: the value is the deviation, actual less commanded. It should be zero at
-//! the reference point. Machine data 38000 reserves the points; the 808D has 200. The backlash value stands in
+//! Values in mm, of a rotary axis in deg, at points of equal distance, linear between them, one table for both
+//! directions. A positive value moves the axis in the negative direction: the value is the deviation, actual less
+//! commanded. It should be zero at the reference point. Machine data 38000 reserves the points; the 808D has 200. The backlash value stands in
 //! machine data 32450, positive where the encoder leads the machine part [808D Parameter Manual], as it does where the
 //! axis lags after a reversal. Values are written to a nanometre; the control bounds neither them nor their number
 //! in this text. With `$AA_ENC_COMP_IS_MODULO` = 1 a table is repeated, as it is from 0 to 360 deg [808D Function Manual

@@ -1,7 +1,7 @@
 //! The pinion of the last pair of gears runs out.
 //!
-//! A·sin(iθ + phase), A in rad at the table, i the turns of that pinion in one of the table: the ratio of the pair, times that of a
-//! worm that follows. A pinion off its axis by e (m) moves the pitch line by e, and a gear of pitch radius r by e/r.
+//! A·sin(iθ + phase), A in rad at the table, i the turns of that pinion in one of the table: the ratio of the pair, times
+//! that of a worm that follows. A pinion off its axis by e (m) moves the pitch line by e, and a gear of pitch radius r by e/r.
 //! Left out: what the shaft before it adds (`motor-gear-eccentricity`), and middle shafts of three stages and more, whose
 //! errors the ratios behind them make smaller.
 

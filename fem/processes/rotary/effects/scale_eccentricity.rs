@@ -1,8 +1,8 @@
 //! The scale on the table runs out.
 //!
 //! (e/r)·sin(θ + phase): a ring of lines of radius r (m) that is mounted by e (m) off the axis passes its one reading head
-//! too fast and too slow once a turn [geometry of an eccentric circle; HEIDENHAIN, Position Encoders for Servo Drives, Δφ = ±412·e/D in arcsec with e in um and
-//! D in mm]. Of a loop that the scale closes the table stands off by as much with the other sign, which is another phase.
+//! too fast and too slow once a turn [geometry of an eccentric circle; HEIDENHAIN, Position Encoders for Servo Drives,
+//! Δφ = ±412·e/D in arcsec with e in um and D in mm]. Of a loop that the scale closes the table stands off by as much with the other sign, which is another phase.
 //! Readings of this one head cannot tell it from a wheel that runs out; the mean of two heads that stand opposite each other
 //! has none. Left out: a ring that is oval (`scale-second-harmonic`), the run-out of the bearing, which adds to e.
 
