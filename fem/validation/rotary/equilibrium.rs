@@ -40,9 +40,9 @@ fn alone() -> Vec<Case> {
             "Hooke's law: T/k1 + T/k2",
         ),
         arcsec("rigid drive with a compliance of its own under 20 N·m", 2.5, at(&yields, Forward, 20.0), hooke),
-        arcsec("play, forwards", 0.0, at(&play, Forward, 0.0), lost),
-        arcsec("play, backwards", 25.0, at(&play, Backward, 0.0), lost),
-        arcsec("too much compensated, backwards", -6.0, at(&ahead, Backward, 0.0), lost),
+        arcsec("table with play, forwards", 0.0, at(&play, Forward, 0.0), lost),
+        arcsec("table with play, backwards", 25.0, at(&play, Backward, 0.0), lost),
+        arcsec("table with too much compensated, backwards", -6.0, at(&ahead, Backward, 0.0), lost),
         arcsec("play round the wheel, at 0, backwards", 10.0, rounds(0.0, Backward), "gap(angle) = c cos(angle)"),
         arcsec(
             "play round the wheel, at 120 deg, backwards",

@@ -119,7 +119,7 @@ fn zeros() -> Vec<Case> {
         ),
         arcsec("ratio off by 0.3 arcsec/deg at -90 deg", -27.0, deviation(&ratio, -90.0, Forward, FREE), "slope*angle"),
         arcsec("ratio off by 0.3 arcsec/deg at 80 deg", 24.0, deviation(&ratio, 80.0, Backward, FREE), "slope*angle"),
-        arcsec("reference off", -7.5, deviation(&shift, 123.0, Backward, (9.0, 0.0)), "the same everywhere"),
+        arcsec("reference of a table off", -7.5, deviation(&shift, 123.0, Backward, (9.0, 0.0)), "the same everywhere"),
         arcsec(
             "a loop closed by the ring, under a torque",
             0.5e-4 * ARCSEC,
