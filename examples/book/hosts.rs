@@ -28,10 +28,21 @@ pub fn models(process: &dyn Process) -> Result<Vec<Model>, fem::input::InputErro
             start.replace("# depth = \"1 mm\"", "depth = \"20 um\""),
             start.replace("# diameter = \"80 mm\"", "diameter = \"80 mm\""),
         ],
+        "rotary" => vec![tilting(start), JOINT.to_string()],
         _ => Vec::new(),
     };
     let texts = std::iter::once(start.to_string()).chain(further);
     texts.map(|text| Model::parse(Source::new("model.toml", text))).collect()
+}
+
+/// A joint of a robot behind gears, on which a torque acts: rigid but for what effects make of it.
+const JOINT: &str = "process = \"rotary\"\naxis = { range = \"180 deg\" }\n\
+    drive = { type = \"gears\", stages = [{ driving = 18, driven = 72 }, { driving = 20, driven = 100 }] }\n\
+    test = { spacing = \"staggered\", torque = \"40 N*m\" }\n";
+
+/// A rotary axis that lies, with a scale.
+fn tilting(start: &str) -> String {
+    start.replace("\"vertical\"", "\"horizontal\"") + "\n[scale]\nradius = \"60 mm\"\nlines = 9000\n"
 }
 
 /// A contour with what some effects need: screws, a frequency, and the force of a cut.

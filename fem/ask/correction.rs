@@ -42,7 +42,7 @@ pub fn correct(model: &Model, is_forced: bool, progress: &Progress) -> Result<Co
     let found = rayon::scope(|_| crate::correct::correct(model, progress))?;
     let found = found.ok_or_else(|| {
         let problem = Problem::new(format!("{} models {}", model.source.name, model.process.about()));
-        problem.help("it has no command that is corrected: corrections are known of turning, ring, fixture, thermal, axis and contour")
+        problem.help("it has no command that is corrected: corrections are known of turning, ring, fixture, thermal, axis, rotary and contour")
     })?;
     within_limits(model, &found)?;
     Ok(found)

@@ -1,11 +1,14 @@
 //! Causes for which tables do not reach a tolerance, and where to look for them in the machine [seed 001].
 
 use super::Feasibility;
-use crate::positioning::{Approach, Evaluation, Reversal, Side, Target};
+use crate::positioning::{Approach, Evaluation, Measures, Reversal, Side, Target};
 
 /// Places where a mechanic looks first when the resistance along the travel is uneven, or the axis does not
 /// come back to the same place.
 const PLACES: &str = "gibs that fit unevenly, lubrication, the seat of the screw and its bearings";
+/// The same where an axis turns.
+const ROUND: &str =
+    "the mesh of worm and wheel or of the gears, the bearing of the table, its clamp and its lubrication";
 /// Part of the scatter above which a drift is its cause.
 const MAIN: f64 = 0.5;
 /// Ratio of variances beyond which one exceeds the other.
@@ -27,9 +30,9 @@ pub struct Cause {
 /// Finds the causes that keep the axis from its tolerance. Where a table for each direction suffices, the
 /// reversal is uneven; where none does, the axis scatters.
 pub fn causes(
-    approaches: &[Approach],
-    deviations: &[f64],
+    readings: (&[Approach], &[f64]),
     evaluation: &Evaluation,
+    measures: Measures,
     feasibility: Feasibility,
 ) -> Vec<Cause> {
     match feasibility {
@@ -42,20 +45,31 @@ pub fn causes(
             remedy: "enter the tables in a finer unit; `resolution` in [controller] says which the controller takes"
                 .into(),
         }],
-        Feasibility::BothDirections => uneven(evaluation).into_iter().collect(),
+        Feasibility::BothDirections => uneven(evaluation, measures).into_iter().collect(),
         Feasibility::Repair => {
-            let uneven = uneven(evaluation).filter(|_| varies(evaluation));
-            uneven.into_iter().chain([scatter(approaches, deviations, evaluation)]).collect()
+            let uneven = uneven(evaluation, measures).filter(|_| varies(evaluation));
+            uneven.into_iter().chain([scatter(readings, evaluation, measures)]).collect()
         }
     }
 }
 
-fn uneven(evaluation: &Evaluation) -> Option<Cause> {
-    let rest = 1e6 * Reversal::of(evaluation)?.rest;
+fn uneven(evaluation: &Evaluation, measures: Measures) -> Option<Cause> {
+    let rest = measures.deviation.shown(Reversal::of(evaluation)?.rest);
+    if measures.is_rotary() {
+        return Some(Cause {
+            key: "uneven_reversal",
+            finding: format!(
+                "the reversal varies round the axis: {rest:.3} either way stay beside any single backlash value"
+            ),
+            remedy: format!(
+                "the play must be the same all round, look at {ROUND}; or enter a table for each direction"
+            ),
+        });
+    }
     Some(Cause {
         key: "uneven_reversal",
         finding: format!(
-            "the reversal varies along the travel: {rest:.3} um either way stay beside any single backlash value"
+            "the reversal varies along the travel: {rest:.3} either way stay beside any single backlash value"
         ),
         remedy: format!(
             "the slide must go equally hard all along, look at {PLACES}; or enter a table for each direction"
@@ -76,24 +90,27 @@ fn varies(evaluation: &Evaluation) -> bool {
 
 /// Describes the scatter, which no table removes. Where most of it is a drift over the runs, its cause is
 /// warmth, of the axis or of the instrument.
-fn scatter(approaches: &[Approach], deviations: &[f64], evaluation: &Evaluation) -> Cause {
+fn scatter((approaches, deviations): (&[Approach], &[f64]), evaluation: &Evaluation, measures: Measures) -> Cause {
     let largest = evaluation.targets.iter().flat_map(Target::sides).filter_map(Side::repeatability).fold(0.0, f64::max);
     let drift = Drift::of(approaches, deviations);
-    let found =
-        format!("approaches from one side scatter by 4s = {:.3} um where most, which no table removes", 1e6 * largest);
+    let (most, is_rotary) = (measures.deviation.shown(largest), measures.is_rotary());
+    let found = format!("approaches from one side scatter by 4s = {most:.3} where most, which no table removes");
     if drift.part > MAIN {
-        let (percent, moved) = (100.0 * drift.part, 1e6 * drift.moved);
+        let (percent, moved) = (100.0 * drift.part, measures.deviation.shown(drift.moved));
         return Cause {
             key: "drift",
             finding: format!(
-                "{found}; {percent:.0} % of it is a drift over the runs, {moved:+.3} um from first to last where most"
+                "{found}; {percent:.0} % of it is a drift over the runs, {moved:+.3} from first to last where most"
             ),
-            remedy: "the axis warms as it works, or the instrument's zero wanders: measure a master between the runs; \
-                     then warm the axis up first, cool the screw, or compensate by temperature"
-                .into(),
+            remedy: format!(
+                "the axis warms as it works, or the instrument's zero wanders: measure a master between the runs; then \
+                 warm the axis up first, cool the {}, or compensate by temperature",
+                if is_rotary { "drive" } else { "screw" }
+            ),
         };
     }
-    Cause { key: "scatter", finding: found, remedy: format!("look at {PLACES}") }
+    let places = if is_rotary { ROUND } else { PLACES };
+    Cause { key: "scatter", finding: found, remedy: format!("look at {places}") }
 }
 
 /// Drift of the deviations over the runs (linear regression).

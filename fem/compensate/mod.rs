@@ -20,16 +20,21 @@ use crate::fit::{Estimate, fit};
 use crate::input::Parameter;
 use crate::model::Data;
 use crate::noise::{Acts, Term, beyond_f};
-use crate::positioning::{Approach, Check, Evaluation, Law, PitchErrors, Reversal, Steps, Table, Target, Tolerance};
+use crate::positioning::{
+    Approach, Check, Evaluation, Law, Measures, PitchErrors, Reversal, Steps, Table, Target, Tolerance,
+};
 use crate::process::{Failure, ForwardModel, Positioning, System};
 use crate::progress::Progress;
-use crate::units::{Knowledge, MICRO};
+use crate::units::Knowledge;
 use std::sync::Arc;
 
-/// Evaluation of an axis and of its compensation. SI units.
+/// Evaluation of an axis and of its compensation. SI units: m of a linear axis, rad of a rotary one.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Compensation {
+    /// In what positions and deviations are told.
+    #[doc(hidden)]
+    pub measures: Measures,
     /// Evaluation of the test as measured.
     #[doc(hidden)]
     pub evaluation: Evaluation,
@@ -156,13 +161,14 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     let kept: Vec<usize> = (0..data.len()).filter(|row| !out.contains(row)).collect();
     let approaches: Vec<Approach> = kept.iter().map(|row| all[*row]).collect();
     if axis.reading_at_zero().is_none() {
-        asked(&data.observed)?;
+        asked(&data.observed, axis.measures())?;
     }
     let zero = axis.reading_at_zero().unwrap_or(0.0);
     let deviations_of = |readings: Vec<f64>| readings.into_iter().map(|reading| reading - zero).collect::<Vec<f64>>();
     let observed = deviations_of(kept.iter().map(|row| data.observed[*row]).collect());
     let evaluation = Evaluation::of(&approaches, &observed);
     let (tolerance, resolution, active) = (axis.tolerance(), axis.resolution(), axis.active());
+    let measures = axis.measures();
     let alone = active.map(|active| Evaluation::of(&approaches, &active.removed(&approaches, &observed)));
     let between = axis.between(&data.rows);
     let course =
@@ -195,12 +201,13 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     let fine = tolerance.checks(&Evaluation::of(&approaches, &fine.applied(&approaches, &observed)));
     let feasibility = feasibility(&before, &schemes, &fine, |scheme| scheme.is_kept_between(&tolerance, agreement));
     Ok(Compensation {
+        measures,
         reversal: Reversal::of(&evaluation),
         pitch: PitchErrors::of(&evaluation),
         lost_motion: LostMotion::of(alone.as_ref().unwrap_or(&evaluation), |x| axis.screw_compliance(x)),
         active: active.cloned(),
         steps: axis.steps(),
-        causes: causes::causes(&approaches, &observed, &evaluation, feasibility),
+        causes: causes::causes((&approaches, &observed), &evaluation, measures, feasibility),
         cautions: [
             of_instrument(data),
             open,
@@ -223,20 +230,21 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
 const FAR: f64 = 3.0;
 
 /// Refuses readings that all lie far beyond their scatter on one side: of such a zero a table would be made too.
-fn asked(readings: &[f64]) -> Result<(), Failure> {
+fn asked(readings: &[f64], measures: Measures) -> Result<(), Failure> {
     let (low, high) = readings.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), r| (l.min(*r), h.max(*r)));
     let (middle, span) = (0.5 * (low + high), high - low);
-    if middle.abs() <= FAR * span.max(MICRO.to_si(1.0)) {
+    if middle.abs() <= FAR * span.max(measures.deviation.to_si(1.0)) {
         return Ok(());
     }
-    let [middle, span] = [middle, span].map(|reading| MICRO.format(reading));
+    let [middle, span] = [middle, span].map(|reading| measures.deviation.format(reading));
     Err(Failure {
         message: format!(
             "all readings lie about {middle}, and differ by {span}: is the axis so far off, or the gauge?"
         ),
         help: format!(
             "say in [test] what the instrument shows where the axis stands right: reading_at_zero = \"{middle}\"; or \
-             reading_at_zero = \"0 um\", if these are deviations"
+             reading_at_zero = \"0 {}\", if these are deviations",
+            measures.deviation_unit()
         ),
     })
 }
@@ -357,7 +365,7 @@ fn of_counts(table: &Table, steps: Steps) -> Option<String> {
 }
 
 fn cautions(evaluation: &Evaluation, points: &Scheme, model: ModelAgreement, tolerance: &Tolerance) -> Vec<String> {
-    let mut cautions = evaluation.departures();
+    let mut cautions = evaluation.departures(tolerance.measures);
     if evaluation.runs() < 2 {
         cautions.push("a single approach has no scatter: A and R, and with them the tolerances, are not known".into());
     }
@@ -371,9 +379,9 @@ fn cautions(evaluation: &Evaluation, points: &Scheme, model: ModelAgreement, tol
             "the model does not explain what was measured, so that what it says between the targets is doubtful";
         cautions.push(format!("{doubt}; `fem diagnose` tells what is missing"));
     } else if width > narrowest(tolerance) {
-        let width = 1e6 * width;
+        let width = tolerance.measures.deviation.shown(width);
         cautions.push(format!(
-            "with the point table the model still ranges over {width:.3} um between the targets: take more of them, closer than the error varies"
+            "with the point table the model still ranges over {width:.3} between the targets: take more of them, closer than the error varies"
         ));
     }
     cautions

@@ -90,12 +90,12 @@ pub enum Rules {
 
 impl LostMotion {
     /// Estimates the parts of the lost motion, given the compliance of the screw at a position. `None` where
-    /// there are fewer than four targets, or the compliance does not vary.
-    pub fn of(evaluation: &Evaluation, compliance: impl Fn(f64) -> f64) -> Option<Self> {
+    /// there are fewer than four targets, or no screw whose compliance varies.
+    pub fn of(evaluation: &Evaluation, compliance: impl Fn(f64) -> Option<f64>) -> Option<Self> {
         let both = |t: &&Target| t.reversal().is_some();
         let targets: Vec<Target> = evaluation.targets.iter().filter(both).copied().collect();
         let places: Vec<f64> = targets.iter().map(|t| t.position).collect();
-        let stretch: Vec<f64> = places.iter().map(|x| 2.0 * compliance(*x)).collect();
+        let stretch: Vec<f64> = places.iter().map(|x| Some(2.0 * compliance(*x)?)).collect::<Option<_>>()?;
         let lost: Vec<f64> = targets.iter().filter_map(|t| Some(-t.reversal()?)).collect();
         if lost.len() < TARGETS {
             return None;
@@ -235,7 +235,7 @@ mod tests {
         let approaches: Vec<Approach> =
             lost.iter().flat_map(|(x, _)| Direction::BOTH.map(|d| approach(*x, d))).collect();
         let deviations: Vec<f64> = lost.iter().flat_map(|(_, b)| [0.0, 1e-6 * b]).collect();
-        LostMotion::of(&Evaluation::of(&approaches, &deviations), |x| 1e-9 * x)
+        LostMotion::of(&Evaluation::of(&approaches, &deviations), |x| Some(1e-9 * x))
     }
 
     #[test]

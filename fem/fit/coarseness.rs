@@ -5,17 +5,17 @@ use std::sync::Arc;
 use crate::noise::MEASUREMENT;
 use crate::process::{Description, Neutral, Parameter};
 use crate::units::{
-    CONTACT_COEFFICIENT, FORCE, JAW_MOMENT, Kind, MICRO, POWER, ROTATIONAL_STIFFNESS, SLOPE, STEEP_SLOPE, STIFFNESS,
-    TEMPERATURE_RISE, TWIST, WEAR_PER_PART, WEAR_RATE,
+    ANGLE_SLOPE, CONTACT_COEFFICIENT, FORCE, JAW_MOMENT, Kind, MICRO, POWER, ROTATIONAL_STIFFNESS, SLOPE, SMALL_ANGLE,
+    STEEP_SLOPE, STIFFNESS, TEMPERATURE_RISE, TORQUE, TORSIONAL_STIFFNESS, TWIST, WEAR_PER_PART, WEAR_RATE,
 };
 
-/// Kinds of sizes that grow together where a machine is coarser. What places, angles, times, ratios and heat transfer are
+/// Kinds of sizes that grow together where a machine is coarser. What places, angles of place, times, ratios and heat transfer are
 /// does not: a clamp that stands a hundred times as far away stands beside the part.
 const TOGETHER: &[&[Kind]] = &[
-    &[MICRO, SLOPE, STEEP_SLOPE, TWIST, WEAR_RATE, WEAR_PER_PART],
-    &[STIFFNESS, ROTATIONAL_STIFFNESS],
+    &[MICRO, SLOPE, STEEP_SLOPE, TWIST, WEAR_RATE, WEAR_PER_PART, SMALL_ANGLE, ANGLE_SLOPE],
+    &[STIFFNESS, ROTATIONAL_STIFFNESS, TORSIONAL_STIFFNESS],
     &[CONTACT_COEFFICIENT],
-    &[FORCE, JAW_MOMENT],
+    &[FORCE, JAW_MOMENT, TORQUE],
     &[POWER, TEMPERATURE_RISE],
 ];
 

@@ -153,7 +153,8 @@ fn law(
         let of_names: Vec<Dimension> = dimensions.iter().map(|dimension| dimension.unwrap_or(own)).collect();
         formula.dimension(&of_names)
     };
-    let mut own = observables.iter().map(|o| o.kind.canonical().dimension);
+    // Of an angle too, for it is a pure number where it is computed with.
+    let mut own = observables.iter().map(|o| o.kind.canonical().dimension.without_angle());
     let dimension = match meanings.contains(&Meaning::Prediction) {
         true => own
             .clone()
@@ -161,7 +162,8 @@ fn law(
             .map_or_else(|| given(own.next().unwrap_or(Dimension::NONE)), Ok)?,
         false => given(Dimension::NONE)?,
     };
-    let adds_to: Vec<bool> = observables.iter().map(|o| o.kind.canonical().dimension == dimension).collect();
+    let adds_to: Vec<bool> =
+        observables.iter().map(|o| o.kind.canonical().dimension.without_angle() == dimension).collect();
     if !adds_to.contains(&true) {
         let seen: Vec<String> = observables.iter().map(|o| format!("{} in {}", o.name, o.kind.unit)).collect();
         return Err(FormulaError {

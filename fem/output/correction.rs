@@ -16,7 +16,7 @@ use crate::correct::{Correction, Masked, Offset, Programmed};
 use crate::gcode;
 use crate::model::Model;
 use crate::process::{Advice, Column as Cells, Holds, Standing, Table as Sheet, range};
-use crate::units::{MICRO, TIME};
+use crate::units::{Kind, TIME};
 
 /// Changes of an offset below this are none, m: no control takes them.
 const NONE: f64 = 1e-9;
@@ -32,7 +32,7 @@ impl Answer for CorrectionAnswer<'_> {
         let title = titled(model.title.as_deref(), &model.source.name);
         let mut blocks = vec![Block::Sentence(format!("{title}: what to add to the {}", found.commanded.words))];
         blocks.push(self.errors());
-        blocks.extend(cautions(found).into_iter().map(Block::Caution));
+        blocks.extend(cautions(found, self.kind()).into_iter().map(Block::Caution));
         blocks.extend(programmed.map(program::blocks).into_iter().flatten());
         let course = found.commanded.course;
         let beside = match programmed {
@@ -49,9 +49,10 @@ impl Answer for CorrectionAnswer<'_> {
         }
         if !found.masked.is_empty() {
             blocks.push(Block::Heading("masked, not mended".into()));
+            let kind = self.kind();
             let line = |own: &Masked| {
-                let largest = number::fixed(MICRO.from_si(own.largest), 1);
-                (format!("{}, up to {largest} {}", own.effect, MICRO.unit), own.why.to_string())
+                let largest = number::fixed(kind.from_si(own.largest), 1);
+                (format!("{}, up to {largest} {}", own.effect, kind.unit), own.why.to_string())
             };
             blocks.push(Block::Entries(found.masked.iter().map(line).collect()));
         }
@@ -177,11 +178,12 @@ impl CorrectionAnswer<'_> {
         let Self(model, found, _) = *self;
         let coordinates = model.process.coordinates();
         let of = |column: usize| Cells::coordinate(&coordinates[column], &found.rows.columns[column]);
-        let change = Cells::quantities(found.commanded.key, MICRO, found.command.changes());
-        let left = Cells::quantities("left", MICRO, &found.left);
+        let kind = self.kind();
+        let change = Cells::quantities(found.commanded.key, kind, found.command.changes());
+        let left = Cells::quantities("left", kind, &found.left);
         let end = |which: usize| found.band.interval.iter().map(|own| own[which]).collect::<Vec<f64>>();
-        let low = Cells::quantities("left_from", MICRO, &end(0));
-        let high = Cells::quantities("left_to", MICRO, &end(1));
+        let low = Cells::quantities("left_from", kind, &end(0));
+        let high = Cells::quantities("left_to", kind, &end(1));
         let columns = shown(found).map(of).chain([change, left, low, high]).collect();
         Sheet { columns }
     }
@@ -191,29 +193,31 @@ impl CorrectionAnswer<'_> {
         let Correction { commanded, before, left, band, rows, .. } = self.1;
         let aims = self.0.system.aims(rows);
         let off = |own: &[f64]| rms(&own.iter().zip(&aims).map(|(own, aim)| own - aim).collect::<Vec<f64>>());
-        let [before, left] = [before, left].map(|own| number::fixed(MICRO.from_si(off(own)), 2));
+        let kind = self.kind();
+        let [before, left] = [before, left].map(|own| number::fixed(kind.from_si(off(own)), 2));
         let within = band.probability.as_ref().map(|own| format!("; {}", tolerance::probability(own)));
         format!(
             "with a {} corrected like this {left} {unit} rms off what is aimed at are left of {before} {unit}{}",
             commanded.course,
             within.unwrap_or_default(),
-            unit = MICRO.unit
+            unit = kind.unit
         )
     }
 
     /// What is left of the errors by each way of correcting them.
     fn errors(&self) -> Block {
         let Self(model, found, programmed) = *self;
+        let kind = self.kind();
         let band = (!found.band.is_exact()).then(|| found.band.widest(0..found.rows.len()));
         let row = |name: String, values: &[f64], band: Option<f64>| {
             let (low, high) = range(values.iter().copied());
-            let [rms, low, high] = [rms(values), low, high].map(|si| MICRO.from_si(si));
-            let band = band.map_or(Cell::Missing, |si| Cell::number(MICRO.from_si(si)));
+            let [rms, low, high] = [rms(values), low, high].map(|si| kind.from_si(si));
+            let band = band.map_or(Cell::Missing, |si| Cell::number(kind.from_si(si)));
             vec![Cell::Text(name), Cell::number(rms), Cell::signed(low), Cell::signed(high), band]
         };
         let first = Column::new(&*model.process.observables()[found.commanded.observable].words, 46);
         let numbers = ["rms", "from", "to", "95 % ±"].map(|name| Column::new(name, 10));
-        let columns = [first].into_iter().chain(numbers).chain([Column::remark(MICRO.unit.to_string(), 0)]);
+        let columns = [first].into_iter().chain(numbers).chain([Column::remark(kind.unit.to_string(), 0)]);
         let (each, course) = (self.each(), found.commanded.course);
         let mut rows = vec![
             row("as it is".into(), &found.before, None),
@@ -225,6 +229,11 @@ impl CorrectionAnswer<'_> {
         rows.push(row(format!("with a {course}{each}"), &found.left, band));
         rows.extend(programmed.map(|own| row(format!("with the program and an offset{each}"), &own.with.left, band)));
         Block::Table(Table::new(columns, rows))
+    }
+
+    /// Kind in which errors and changes are told: micrometres, or seconds of arc.
+    fn kind(&self) -> Kind {
+        self.0.process.observables()[self.1.commanded.observable].error_kind()
     }
 
     /// Name of what is numbered, if anything is.
@@ -240,29 +249,29 @@ impl CorrectionAnswer<'_> {
     fn offset_lines(&self, offsets: &[Offset]) -> Vec<String> {
         // Of a batch of which only the ends are predicted, the offset goes from the one to the other.
         let is_sampled = offsets.windows(2).any(|pair| pair[1].0 > pair[0].0.map(|number| number + 1));
-        let number = self.numbered().unwrap_or_default();
+        let (number, kind) = (self.numbered().unwrap_or_default(), self.kind());
         let line = |(after, change): (usize, f64)| {
             let when = match after {
                 0 => "now".to_string(),
                 after if is_sampled => format!("at {number} {}", after + 1),
                 after => format!("after {number} {after}"),
             };
-            format!("{when}: {} {}", number::signed(MICRO.from_si(change), 2), MICRO.unit)
+            format!("{when}: {} {}", number::signed(kind.from_si(change), 2), kind.unit)
         };
         changes(offsets).into_iter().map(line).collect()
     }
 }
 
 /// What a correction cannot do, or does not know.
-fn cautions(found: &Correction) -> Vec<String> {
+fn cautions(found: &Correction, kind: Kind) -> Vec<String> {
     let mut all: Vec<String> = found.commanded.takes.map(str::to_string).into_iter().collect();
     all.extend(bands::failure(&found.band));
     let worst = found.before.iter().fold(0.0f64, |worst, value| worst.max(value.abs()));
     if found.between > BETWEEN * worst {
         all.push(format!(
             "between the places up to {:.2} {} are left: what is there changes faster than {} places follow",
-            MICRO.from_si(found.between),
-            MICRO.unit,
+            kind.from_si(found.between),
+            kind.unit,
             found.command.contours().iter().map(|(_, own)| own.len()).max().unwrap_or(0)
         ));
     }

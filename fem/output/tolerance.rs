@@ -65,7 +65,8 @@ pub fn open(standings: &[Standing], uncertainty: f64) -> Option<String> {
         .collect();
     open.sort_unstable();
     open.dedup();
-    let told = number::trimmed(MICRO.from_si(expanded), 2);
+    let kind = standings.first().map_or(MICRO, |own| own.requirement.kind);
+    let told = number::trimmed(kind.from_si(expanded), 2);
     let who = match &open[..] {
         [] => return None,
         [None] => "it is".to_string(),
@@ -74,7 +75,7 @@ pub fn open(standings: &[Standing], uncertainty: f64) -> Option<String> {
     };
     Some(format!(
         "{who} neither proven in nor out: within \u{b1}{told} {} of a limit (ISO 14253-1, U = 2\u{b7}u)",
-        MICRO.unit
+        kind.unit
     ))
 }
 

@@ -1,12 +1,14 @@
 //! The statistics of a positioning test by ISO 230-2: means and scatter of every target from either side.
 
-use super::{Approach, Direction};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::{Approach, Direction, Measures};
 
 /// The edition whose names are used; the formulas have been the same since 1997 (coverage factor 2, s with n
 /// − 1).
 pub const EDITION: &str = "ISO 230-2:2014";
 
-/// Targets nearer than this (m) are one.
+/// Targets nearer than this (m, or rad: 0.0002 arcsec) are one.
 const SAME: f64 = 1e-9;
 
 /// The approaches to a target from one side.
@@ -164,14 +166,17 @@ impl Evaluation {
     }
 
     /// Departures of this test from the standard, as sentences.
-    pub fn departures(&self) -> Vec<String> {
+    pub fn departures(&self, measures: Measures) -> Vec<String> {
         let mut departures = Vec::new();
         let (from, to) = self.ends();
-        let wanted = 5.0f64.max(5.0 * (to - from).min(2.0)).ceil() as usize;
+        let (wanted, asked) = if measures.is_rotary() {
+            (targets_of_a_turn(to - from), "three up to 90 deg, five up to 180 deg and eight beyond")
+        } else {
+            (5.0f64.max(5.0 * (to - from).min(2.0)).ceil() as usize, "five a metre and five at least")
+        };
         if self.targets.len() < wanted {
             let given = self.targets.len();
-            departures
-                .push(format!("{given} targets: the standard asks for five a metre and five at least, here {wanted}"));
+            departures.push(format!("{given} targets: the standard asks for {asked}, here {wanted}"));
         }
         if self.runs() < 5 {
             let runs = self.runs();
@@ -185,5 +190,14 @@ impl Evaluation {
             departures.push("some targets were approached from one side only: B and R are of the others".into());
         }
         departures
+    }
+}
+
+/// Fewest targets of a rotary axis that turns by so much (rad) [ISO 230-2].
+fn targets_of_a_turn(range: f64) -> usize {
+    match range * (1.0 - 1e-9) {
+        range if range <= FRAC_PI_2 => 3,
+        range if range <= PI => 5,
+        _ => 8,
     }
 }

@@ -5,9 +5,6 @@ use super::{Direction, Law, Node, Table};
 /// How near to equal the distances of a table's entries are that count as equal, m.
 const EQUAL: f64 = 1e-9;
 
-/// Whole steps to which a distance is rounded up that nobody has said, m.
-const STEP: f64 = 1e-6;
-
 /// Most points of a grid: more than any control takes.
 const MOST: f64 = 1e5;
 
@@ -43,13 +40,13 @@ impl Grid {
         (above - below < MOST).then_some(grid)
     }
 
-    /// The fewest points from a table's first entry on, `most` of them at most, that meet every entry to `near` (m);
-    /// those that come nearest where none do.
-    pub fn fitted(table: &Table, most: usize, near: f64) -> Option<Self> {
+    /// The fewest points from a table's first entry on, `most` of them at most, that meet every entry to `near`; those that
+    /// come nearest where none do. Their distance is whole in `step`.
+    pub fn fitted(table: &Table, most: usize, near: f64, step: f64) -> Option<Self> {
         let (first, last) = ends(table)?;
         let mut best: Option<(f64, Self)> = None;
         for points in table.nodes.len().min(most).max(2)..=most.max(2) {
-            let interval = ((last - first) / (points - 1) as f64 / STEP - 1e-3).ceil() * STEP;
+            let interval = ((last - first) / (points - 1) as f64 / step - 1e-3).ceil() * step;
             let grid = Self { first, interval, points };
             let missed = table.missed_by(&table.on(grid));
             if best.is_none_or(|(least, _)| missed < least) {
@@ -142,11 +139,11 @@ mod tests {
     fn entries_at_uneven_distances_are_met() {
         // Distances of 20 and 30 mm are multiples of 10 mm.
         let uneven = table(&[(0.0, 1.0), (20.0, 5.0), (50.0, -3.0)]);
-        let grid = Grid::fitted(&uneven, 100, 1e-9).unwrap();
+        let grid = Grid::fitted(&uneven, 100, 1e-9, 1e-6).unwrap();
         assert_eq!((grid.points, (grid.interval * 1e6).round()), (6, 10_000.0));
         assert!(uneven.missed_by(&uneven.on(grid)) < 1e-12);
         // Four points, at 0, 16.667, …, cut the corner at 20 mm off: 5 less what is between 13/3 and 13/9 there.
-        let few = Grid::fitted(&uneven, 4, 1e-9).unwrap();
+        let few = Grid::fitted(&uneven, 4, 1e-9, 1e-6).unwrap();
         let expected = 5e-6 - (13.0 / 3.0 + 0.2 * (13.0 / 9.0 - 13.0 / 3.0)) * 1e-6;
         assert!((uneven.missed_by(&uneven.on(few)) - expected).abs() < 1e-9, "{few:?}");
     }

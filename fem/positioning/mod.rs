@@ -1,9 +1,11 @@
-//! Positioning tests of a linear axis: targets that are approached again and again from both sides; their
+//! Positioning tests of an axis, linear or rotary: targets that are approached again and again from both sides; their
 //! evaluation, and the tables by which a controller makes errors good. Nothing here knows a model or a file.
-//! SI units; a deviation is the actual less the commanded position.
+//! SI units, m of a
+//! linear axis and rad of a rotary one; a deviation is the actual less the commanded position.
 
 mod evaluation;
 mod grid;
+mod measures;
 mod pitch;
 mod quantity;
 mod table;
@@ -11,6 +13,7 @@ mod tolerance;
 
 pub use evaluation::{EDITION, Evaluation, Side, Target};
 pub use grid::Grid;
+pub use measures::Measures;
 pub use pitch::{PitchErrors, Reversal, Step};
 pub use quantity::Quantity;
 pub use table::{Increment, Law, Node, Steps, Table};

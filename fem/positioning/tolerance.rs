@@ -1,9 +1,13 @@
 //! The tolerance of an axis.
 
-use super::Evaluation;
+use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Limits of a machining centre by seed 001: ±0.01 mm on any 300 mm, 0.04 mm over the whole travel, ±0.005 mm
-/// of repeatability. m.
+use super::{Evaluation, Measures};
+
+/// One second of arc, rad.
+const ARCSEC: f64 = PI / 648_000.0;
+
+/// Limits of an axis, linear or rotary. SI: m or rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Band of ± this on any `length`.
@@ -14,9 +18,11 @@ pub struct Tolerance {
     pub travel: f64,
     /// Repeatability of ± this, both directions together.
     pub repeatability: f64,
+    /// In what they are told.
+    pub measures: Measures,
 }
 
-/// One tolerance, held against a test. m.
+/// One tolerance, held against a test. SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
     /// Key for programs.
@@ -30,8 +36,10 @@ pub struct Check {
 }
 
 impl Default for Tolerance {
+    /// Limits of a machining centre by seed 001: ±0.01 mm on any 300 mm, 0.04 mm over the whole travel, ±0.005 mm of
+    /// repeatability.
     fn default() -> Self {
-        Self { per_length: 10e-6, length: 0.3, travel: 40e-6, repeatability: 5e-6 }
+        Self { per_length: 10e-6, length: 0.3, travel: 40e-6, repeatability: 5e-6, measures: Measures::LINEAR }
     }
 }
 
@@ -43,6 +51,18 @@ impl Check {
 }
 
 impl Tolerance {
+    /// Limits of a rotary axis where a model says none: ±10 arcsec on any 90 deg, 30 arcsec over the whole range, ±8 arcsec
+    /// of repeatability. They are those of no standard, and about what makers of worm tables promise.
+    pub fn of_rotary_axes() -> Self {
+        Self {
+            per_length: 10.0 * ARCSEC,
+            length: FRAC_PI_2,
+            travel: 30.0 * ARCSEC,
+            repeatability: 8.0 * ARCSEC,
+            measures: Measures::ROTARY,
+        }
+    }
+
     /// Accuracy on any `length`, accuracy over the whole, and repeatability, by ISO 230-2's A and R against
     /// the whole width of each band. What is wider apart than a `length` counts as on a straight line: the
     /// widest such stretch begins or ends at a target.
@@ -51,11 +71,13 @@ impl Tolerance {
         let places = evaluation.targets.iter().map(|t| t.position);
         let stretches = places.flat_map(|at| [(at, (at + self.length).min(last)), ((at - self.length).max(first), at)]);
         let widest = stretches.filter_map(|(from, to)| evaluation.stretch(from, to).accuracy()).reduce(f64::max);
-        let mm = |m: f64| ((m * 1e9).round() / 1e6).to_string();
+        let [on, over] = if self.measures.is_rotary() { ["per_angle", "range"] } else { ["per_length", "travel"] };
+        let unit = self.measures.position_unit();
+        let length = (self.measures.position.from_si(self.length) * 1e6).round() / 1e6;
         let check = |key, name, limit, value| Check { key, name, limit, value };
         vec![
-            check("per_length", format!("accuracy A on any {} mm", mm(self.length)), 2.0 * self.per_length, widest),
-            check("travel", "accuracy A over all targets".into(), self.travel, evaluation.accuracy()),
+            check(on, format!("accuracy A on any {length} {unit}"), 2.0 * self.per_length, widest),
+            check(over, "accuracy A over all targets".into(), self.travel, evaluation.accuracy()),
             check("repeatability", "repeatability R".into(), 2.0 * self.repeatability, evaluation.repeatability()),
         ]
     }

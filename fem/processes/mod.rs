@@ -6,6 +6,7 @@ pub mod cam;
 pub mod contour;
 pub mod fixture;
 pub mod ring;
+pub mod rotary;
 pub mod stiffness;
 pub mod thermal;
 pub mod turning;
@@ -20,6 +21,7 @@ pub const ALL: &[&dyn Process] = &[
     &fixture::Fixture,
     &stiffness::Stiffness,
     &axis::Axis,
+    &rotary::Rotary,
     &contour::Contour,
     &cam::CamGrinding,
 ];

@@ -75,6 +75,10 @@ kinds! {
     VOLUME = "a volume" in "cm^3", as "400";
     FACTOR = "a factor" in "", as "1";
     MOMENT = "a moment" in "N*m", as "50";
+    SMALL_ANGLE = "a small angle" in "arcsec", as "5";
+    ANGLE_SLOPE = "an angle per angle" in "arcsec/deg", as "0.5";
+    TORQUE = "a torque" in "N*m", as "20";
+    TORSIONAL_STIFFNESS = "a torsional stiffness" in "N*m/arcsec", as "5";
 }
 
 /// A number with its unit, to be written.

@@ -10,6 +10,7 @@ mod contour;
 mod fit;
 mod fixture;
 mod ring;
+mod rotary;
 mod stiffness;
 mod study;
 mod thermal;
@@ -28,6 +29,7 @@ pub const PARTS: &[Part] = &[
     ("fixture", fixture::cases),
     ("stiffness", stiffness::cases),
     ("axis", axis::cases),
+    ("rotary", rotary::cases),
     ("contour", contour::cases),
     ("cam", cam::cases),
     ("budget", budget::cases),

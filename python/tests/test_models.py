@@ -29,7 +29,9 @@ def test_a_file_is_read_as_it_is(root: Path) -> None:
     assert headstock == fem.Parameter("effects.headstock-compliance.stiffness", "N/um", 60.0, 10.0)
 
 
-@pytest.mark.parametrize("process", ["turning", "ring", "thermal", "fixture", "stiffness", "axis", "contour", "cam"])
+@pytest.mark.parametrize(
+    "process", ["turning", "ring", "thermal", "fixture", "stiffness", "axis", "rotary", "contour", "cam"]
+)
 def test_every_process_has_a_model_to_start_from(process: str) -> None:
     model = fem.new(process)
     assert model.process == process

@@ -22,6 +22,7 @@ fn every_process_has_the_figures_of_its_field() {
         ("fixture", &["machine.svg", "profile.svg"]),
         ("stiffness", &["loop.svg"]),
         ("axis", &["machine.svg", "positioning.svg"]),
+        ("rotary", &["machine.svg", "positioning.svg"]),
         ("contour", &["contour.svg", "polar.svg", "profile.svg"]),
     ];
     for (name, figures) in expected {
@@ -35,6 +36,7 @@ fn every_process_has_the_figures_of_its_field() {
             // Axes name their units, and drawings their magnification.
             assert!(
                 text.contains("[um]")
+                    || text.contains("[arcsec]")
                     || text.contains("[degC]")
                     || text.contains("magnified")
                     || text.contains("to scale"),

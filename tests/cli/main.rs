@@ -36,6 +36,7 @@ mod records;
 mod remedies;
 mod report;
 mod ring;
+mod rotary;
 mod served;
 mod set;
 mod start;

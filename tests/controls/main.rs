@@ -18,6 +18,7 @@ mod mill;
 mod mitsubishi;
 mod random;
 mod refused;
+mod rotary;
 mod siemens;
 mod text;
 mod words;

@@ -8,11 +8,14 @@ use super::text::{linear, value_of};
 fn table(text: &str, name: &str, index: usize, tail: &str) -> Vec<(f64, f64)> {
     let parameter = |what: &str| value_of(text, &format!("${name}_{what}[{index}{tail}]"));
     let (step, first, last) = (parameter("STEP"), parameter("MIN"), parameter("MAX"));
-    assert_eq!(parameter("IS_MODULO"), 0.0);
+    // A table that is repeated goes once round.
+    let is_repeated = parameter("IS_MODULO") == 1.0;
+    assert_eq!(is_repeated, last - first == 360.0);
     let points = ((last - first) / step).round() as usize;
     let head = format!("${name}[{index},");
     assert_eq!(text.lines().filter(|line| line.starts_with(&head)).count(), points + 1);
     let value = |point: usize| value_of(text, &format!("{head}{point}{tail}]"));
+    assert!(!is_repeated || value(0) == value(points));
     (0..=points).map(|point| (first + step * point as f64, value(point))).collect()
 }
 

@@ -30,18 +30,19 @@ mod wrong_in_tables;
 use std::path::Path;
 
 use generator::{
-    AXIS, CAM, CONTOUR, Case, FIXTURE, Process, RING, STIFFNESS, SURVEYED_TURNING, THERMAL, TURNING, Trouble,
+    AXIS, CAM, CONTOUR, Case, FIXTURE, Process, RING, ROTARY, STIFFNESS, SURVEYED_TURNING, THERMAL, TURNING, Trouble,
 };
 use score::{Score, score};
 use table::Table;
 use trouble::Tally;
 
 /// All processes, as the tables of `README.md` call them.
-const PROCESSES: [(&str, &Process); 8] = [
+const PROCESSES: [(&str, &Process); 9] = [
     ("turned shafts", &TURNING),
     ("bored rings", &RING),
     ("heated rods", &THERMAL),
     ("feed axes", &AXIS),
+    ("rotary axes", &ROTARY),
     ("joints under load", &STIFFNESS),
     ("contours", &CONTOUR),
     ("parts in fixtures", &FIXTURE),
@@ -165,6 +166,12 @@ fn the_whole_of_axis() {
 
 #[test]
 #[ignore = "minutes long; prints the table of README.md"]
+fn the_whole_of_rotary() {
+    whole(&ROTARY, 8);
+}
+
+#[test]
+#[ignore = "minutes long; prints the table of README.md"]
 fn the_whole_of_stiffness() {
     whole(&STIFFNESS, 12);
 }
@@ -205,6 +212,7 @@ fn the_whole_of_troubles() {
         ("turning", &TURNING),
         ("ring", &RING),
         ("axis", &AXIS),
+        ("rotary", &ROTARY),
         ("stiffness", &STIFFNESS),
         ("thermal", &THERMAL),
         ("contour", &CONTOUR),
@@ -280,6 +288,11 @@ fn a_sample_of_axis() {
 }
 
 #[test]
+fn a_sample_of_rotary() {
+    sample(&ROTARY, 1, [8, 3, 4]);
+}
+
+#[test]
 fn a_sample_of_contour() {
     sample(&CONTOUR, 1, [8, 3, 3]);
 }
@@ -314,7 +327,7 @@ fn the_program_and_the_generator_agree() {
 /// Where both compute to round-off only the digits of the files are left.
 #[test]
 fn the_program_and_the_generator_agree_to_round_off() {
-    for process in [&CONTOUR, &FIXTURE, &CAM] {
+    for process in [&ROTARY, &CONTOUR, &FIXTURE, &CAM] {
         agree(process, 1e-3);
     }
 }

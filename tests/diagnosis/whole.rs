@@ -10,7 +10,7 @@ use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
 use fem::progress::Progress;
-use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, STIFFNESS, THERMAL, TURNING, Whole};
+use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, ROTARY, STIFFNESS, THERMAL, TURNING, Whole};
 
 use crate::advised::Machine;
 use crate::score::{self, diagnose};
@@ -226,6 +226,12 @@ fn whole_machines_of_thermal() {
 #[ignore = "minutes long; prints the table of README.md"]
 fn whole_machines_of_axis() {
     whole_machines(&AXIS);
+}
+
+#[test]
+#[ignore = "minutes long; prints the table of README.md"]
+fn whole_machines_of_rotary() {
+    whole_machines(&ROTARY);
 }
 
 #[test]

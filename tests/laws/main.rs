@@ -10,7 +10,7 @@
 //!
 //! | law | of |
 //! |---|---|
-//! | equilibrium, reciprocity | an axis, a contour and a cam are geometry and time: no force acts but a given one |
+//! | equilibrium, reciprocity | an axis, a rotary axis, a contour and a cam are geometry and time: no force acts but a given one |
 //! | equilibrium | a ring reports no force but that of its jaws, which is given; `plane` holds the elements under it |
 //! | reciprocity | a joint has one place; a ring is pressed outside and measured inside, and `plane` holds its elements |
 //! | superposition | contours, cams and joints are not linear: play, the reach of a wheel, contacts |
@@ -27,6 +27,7 @@ mod order;
 mod plane;
 mod plate;
 mod ring;
+mod rotary;
 mod stiffness;
 mod thermal;
 mod turning;

@@ -13,12 +13,13 @@ use fem::progress::Progress;
 use proptest::prelude::*;
 
 /// A process, a quantity of its starting model as it stands there, the same unknown, and what it truly is.
-const CASES: [[&str; 4]; 8] = [
+const CASES: [[&str; 4]; 9] = [
     ["turning", "stiffness = \"60 N/um\"", "stiffness = \"? N/um\"", "stiffness = \"25 N/um\""],
     ["ring", "arc = \"10 deg\"", "arc = \"? deg\"", "arc = \"30 deg\""],
     ["fixture", "c = \"0.2 um/N^n\"", "c = \"? um/N^n\"", "c = \"0.3 um/N^n\""],
     ["thermal", "coefficient = \"15 W/m^2/K\"", "coefficient = \"? W/m^2/K\"", "coefficient = \"28 W/m^2/K\""],
     ["axis", "gap = \"8 um\"", "gap = \"? um\"", "gap = \"14 um\""],
+    ["rotary", "gap = \"15 arcsec\"", "gap = \"? arcsec\"", "gap = \"32 arcsec\""],
     ["contour", "gap = \"6 um\"", "gap = \"? um\"", "gap = \"11 um\""],
     ["cam", "loss = \"5 um\"", "loss = \"? um\"", "loss = \"400 um\""],
     ["stiffness", "gap = \"3 um\"", "gap = \"? um\"", "gap = \"5 um\""],

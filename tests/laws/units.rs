@@ -12,7 +12,7 @@ use fem::progress::Progress;
 use fem::units::Unit;
 use proptest::prelude::*;
 
-use super::{alike, axis, cam, contour, fixture, plate, ring, stiffness, thermal, turning};
+use super::{alike, axis, cam, contour, fixture, plate, ring, rotary, stiffness, thermal, turning};
 
 /// Units with what they are in SI, as standards define them (an inch is 25.4 mm, a pound 0.453 592 37 kg
 /// under 9.806 65 m/s²): each text is rewritten where it is of one dimension with them. None is asked of the
@@ -126,6 +126,7 @@ proptest! {
     fn units_change_no_random_system(
         lathe in turning::lathe(), ring in ring::ring(), fixture in fixture::fixture(), rod in thermal::rod(),
         plate in plate::plate(), axis in axis::axis(), circle in contour::circle(), cam in cam::cam(), joint in stiffness::joint(),
+        table in rotary::table(),
         picks in prop::collection::vec(0usize..1000, 29),
     ) {
         let systems = [
@@ -136,6 +137,7 @@ proptest! {
             (rod.text([5.0, 12.0], true), 1e-9),
             (plate.text("sdirk2"), 1e-9),
             (axis.text(true, true), 1e-9),
+            (table.text(true), 1e-9),
             (circle.text(), 1e-9),
             (cam.text(), 1e-7),
             (stiffness::text(&joint, "from-zero"), 1e-9),

@@ -11,7 +11,7 @@ use fem::input::Source;
 use fem::measure::Measurements;
 use fem::model::{Data, Model};
 use generator::meeting::Meeting;
-use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, STIFFNESS, THERMAL, TURNING};
+use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, ROTARY, STIFFNESS, THERMAL, TURNING};
 
 /// Both compute to round-off, in 13 digits of the files.
 const ROUND_OFF: f64 = 1e-9;
@@ -79,11 +79,12 @@ fn hold(process: &Process, tolerance: fn(&[&str; 2]) -> f64) {
 /// An effect that is new in the program is hidden and met as well, and what the generator calls one is one.
 #[test]
 fn both_know_the_same_effects() {
-    let processes: [(&Process, &str); 8] = [
+    let processes: [(&Process, &str); 9] = [
         (&TURNING, "turning"),
         (&RING, "ring"),
         (&THERMAL, "thermal"),
         (&AXIS, "axis"),
+        (&ROTARY, "rotary"),
         (&STIFFNESS, "stiffness"),
         (&CONTOUR, "contour"),
         (&FIXTURE, "fixture"),
@@ -104,7 +105,7 @@ fn both_know_the_same_effects() {
 #[test]
 fn what_cannot_meet_is_refused_with_a_reason() {
     let mut table = Vec::new();
-    for process in [&TURNING, &RING, &THERMAL, &AXIS, &STIFFNESS, &CONTOUR, &FIXTURE, &CAM] as [&Process; 8] {
+    for process in [&TURNING, &RING, &THERMAL, &AXIS, &ROTARY, &STIFFNESS, &CONTOUR, &FIXTURE, &CAM] as [&Process; 9] {
         for (effect, parameters) in process.catalogue {
             for scene in 0..process.scenes.len() {
                 if process.meeting(&[*effect], scene, 1).is_some() {
@@ -155,6 +156,11 @@ fn of_stiffness() {
 #[test]
 fn of_axis() {
     hold(&AXIS, |_| ROUND_OFF);
+}
+
+#[test]
+fn of_rotary() {
+    hold(&ROTARY, |_| ROUND_OFF);
 }
 
 #[test]

@@ -119,6 +119,15 @@ const TWINS: &[Twin] = &[
         tolerance: ROUND_OFF,
     },
     Twin {
+        process: "rotary",
+        model: "",
+        built_in: "[effects.worm-second-harmonic]\namplitude = \"4 arcsec\"\nphase = \"20 deg\"\n",
+        formula: "[effects.mine]\nformula = \"a*sin(2*180*angle + phase)\"\na = \"4 arcsec\"\nphase = \"20 deg\"\n",
+        mechanics: &[],
+        // A sine of some thousand radians keeps twelve digits.
+        tolerance: (1e-9, 1e-15),
+    },
+    Twin {
         process: "contour",
         model: CIRCLE,
         built_in: "[effects.centre-offset]\nx = \"3 um\"\ny = \"-2 um\"\n",

@@ -35,6 +35,7 @@ fn models(process: &dyn Process) -> Vec<Model> {
         "fixture" => {
             vec![start.to_string(), start.replace("# depth = \"1 mm\"", "diameter = \"80 mm\"\ndepth = \"20 um\"")]
         }
+        "rotary" => vec![start.to_string(), tilting(start), JOINT.to_string()],
         _ => vec![start.to_string()],
     };
     variants.into_iter().map(|text| Model::parse(Source::new("model.toml", text)).unwrap()).collect()
@@ -52,6 +53,16 @@ fn equipped(start: &str) -> String {
     let screw = "{ screw = { material = \"steel\", diameter = \"32 mm\", fixed_at = \"-400 mm\" } }";
     let drives = format!("[drives]\nfrequency = \"3 Hz\"\nx = {screw}\ny = {screw}");
     start.replace("[drives]", &drives) + "\n[cut]\nnormal_force = \"200 N\"\ntangential_force = \"120 N\"\n"
+}
+
+/// A joint of a robot behind gears, on which a torque acts: rigid but for what effects make of it.
+const JOINT: &str = "process = \"rotary\"\naxis = { range = \"180 deg\" }\n\
+    drive = { type = \"gears\", stages = [{ driving = 18, driven = 72 }, { driving = 20, driven = 100 }] }\n\
+    test = { spacing = \"staggered\", torque = \"40 N*m\" }\n";
+
+/// A rotary axis that lies, with a scale.
+fn tilting(start: &str) -> String {
+    start.replace("\"vertical\"", "\"horizontal\"") + "\n[scale]\nradius = \"60 mm\"\nlines = 9000\n"
 }
 
 /// What must act for an effect to be felt at all: surroundings that drift are felt through what loses heat, a new insert

@@ -165,6 +165,7 @@ fn every_process_has_a_picture_of_closed_bodies() {
         ("thermal.toml", "temperature_degC"),
         ("fixture.toml", "height_change_um"),
         ("axis.toml", "deviation_um"),
+        ("rotary.toml", "deviation_arcsec"),
         ("rectangle.toml", "deviation_um"),
         ("cam.toml", "deviation_um"),
     ] {

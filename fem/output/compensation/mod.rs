@@ -34,15 +34,16 @@ impl Answer for CompensationAnswer<'_> {
     fn stage(&self, files: &mut Staged) -> Result<(), OutputError> {
         let Self(_, found, supplied) = *self;
         let [points, segments, both] = &found.schemes;
+        let measures = found.measures;
         if found.active.is_some() {
-            files.text("entered.csv", &csv::table(&controller::points(&points.entered)))?;
+            files.text("entered.csv", &csv::table(&controller::points(&points.entered, measures)))?;
         }
         if let Some(steps) = found.steps {
-            files.text("increments.csv", &csv::table(&controller::increments(&points.entered, steps)))?;
+            files.text("increments.csv", &csv::table(&controller::increments(&points.entered, steps, measures)))?;
         }
-        files.text("points.csv", &csv::table(&controller::points(&points.table)))?;
-        files.text("segments.csv", &csv::table(&controller::segments(&segments.table)))?;
-        files.text("both-directions.csv", &csv::table(&controller::both_directions(&both.table)))?;
+        files.text("points.csv", &csv::table(&controller::points(&points.table, measures)))?;
+        files.text("segments.csv", &csv::table(&controller::segments(&segments.table, measures)))?;
+        files.text("both-directions.csv", &csv::table(&controller::both_directions(&both.table, measures)))?;
         for (name, text) in supplied.iter().flat_map(|s| &s.files) {
             files.text(*name, text)?;
         }

@@ -7,7 +7,7 @@ use crate::compensate::{Compensation, Feasibility, Kinematic, LostMotion, Rules,
 use crate::model::Data;
 use crate::output::measurement;
 use crate::output::number::{fixed, signed};
-use crate::positioning::{Check, EDITION, Evaluation, Quantity};
+use crate::positioning::{Check, EDITION, Evaluation, Measures, Quantity};
 
 /// Most targets that are listed; all are in the files.
 const LISTED: usize = 24;
@@ -37,15 +37,15 @@ pub fn text(data: &Data, c: &Compensation, supplied: &[Supplied]) -> String {
     standard(&mut text, c);
     let _ = writeln!(
         text,
-        "  after is by the same readings: a new test adds what they leave of the means, s/sqrt(n) = {:.4} um where most",
-        1e6 * c.evaluation.uncertainty()
+        "  after is by the same readings: a new test adds what they leave of the means, s/sqrt(n) = {:.4} where most",
+        c.measures.deviation.shown(c.evaluation.uncertainty())
     );
-    targets_of(&mut text, &c.evaluation);
+    targets_of(&mut text, &c.evaluation, c.measures);
     reversal(&mut text, c);
     tolerances(&mut text, c);
     modelled(&mut text, c);
     entries(&mut text, c);
-    controls(&mut text, supplied);
+    controls(&mut text, supplied, c.measures);
     text
 }
 
@@ -56,14 +56,15 @@ fn wrong_readings(text: &mut String, c: &Compensation) {
     }
     let _ = writeln!(text, "\nleft out of means and tables, as wrong");
     for wrong in &c.wrong_readings {
-        let (x, sign) = (millimetres(wrong.approach.position), wrong.approach.direction.sign());
+        let (x, sign) = (place(c.measures, wrong.approach.position), wrong.approach.direction.sign());
         let why = match (wrong.is_stated, wrong.others) {
             (true, _) => "the model weighs it down".to_string(),
-            (false, Some(mean)) => format!("the other approaches have {} in the mean", micrometres(mean)),
+            (false, Some(mean)) => format!("the other approaches have {} in the mean", small(c.measures, mean)),
             (false, None) => "it contradicts the other approaches".to_string(),
         };
-        let value = micrometres(wrong.value);
-        let _ = writeln!(text, "  line {:<5} {value} um at {x} mm, {sign}: {why}", wrong.line);
+        let value = small(c.measures, wrong.value);
+        let [off, at] = [c.measures.deviation_unit(), c.measures.position_unit()];
+        let _ = writeln!(text, "  line {:<5} {value} {off} at {x} {at}, {sign}: {why}", wrong.line);
     }
 }
 
@@ -89,32 +90,34 @@ fn verdict(c: &Compensation) -> &'static str {
     }
 }
 
-fn um(m: Option<f64>) -> String {
-    m.map_or("-".into(), micrometres)
+/// A deviation in its unit as it is printed, if it is known.
+fn known(measures: Measures, off: Option<f64>) -> String {
+    off.map_or("-".into(), |off| small(measures, off))
 }
 
-/// Micrometres as they are printed.
-fn micrometres(m: f64) -> String {
-    fixed(1e6 * m, 4)
+/// A deviation in its unit as it is printed.
+fn small(measures: Measures, off: f64) -> String {
+    fixed(measures.off(off), 4)
 }
 
-/// Millimetres as they are printed.
-fn millimetres(m: f64) -> String {
-    fixed(1e3 * m, 3)
+/// A position in its unit as it is printed.
+fn place(measures: Measures, at: f64) -> String {
+    fixed(measures.place(at), 3)
 }
 
 fn standard(text: &mut String, c: &Compensation) {
     let [points, _, both] = &c.schemes;
-    let _ = writeln!(text, "\n{EDITION:<43} {:>10} {:>10} {:>10}   um", "measured", "one value", "each way");
+    let unit = c.measures.deviation_unit();
+    let _ = writeln!(text, "\n{EDITION:<43} {:>10} {:>10} {:>10}   {unit}", "measured", "one value", "each way");
     let (one, both) = (points.after.quantities(), both.after.quantities());
     for q in c.evaluation.quantities() {
-        let after = |all: &[Quantity]| um(Quantity::find(all, q.symbol));
+        let after = |all: &[Quantity]| known(c.measures, Quantity::find(all, q.symbol));
         let name = if q.symbol == "B_mean" { "" } else { q.symbol };
         let _ = writeln!(
             text,
             "  {name:<2} {:<38} {:>10} {:>10} {:>10}   {}",
             q.name,
-            um(q.value),
+            known(c.measures, q.value),
             after(&one),
             after(&both),
             q.formula
@@ -122,27 +125,35 @@ fn standard(text: &mut String, c: &Compensation) {
     }
 }
 
-fn targets_of(text: &mut String, evaluation: &Evaluation) {
+fn targets_of(text: &mut String, evaluation: &Evaluation, measures: Measures) {
+    let printed = |off: Option<f64>| known(measures, off);
     let _ = writeln!(
         text,
         "\n  {:>10}  {:>10} {:>8}  {:>10} {:>8}  {:>10} {:>10}",
-        "position", "mean+", "s+", "mean-", "s-", "B", "R"
+        if measures.is_rotary() { "angle" } else { "position" },
+        "mean+",
+        "s+",
+        "mean-",
+        "s-",
+        "B",
+        "R"
     );
     for t in evaluation.targets.iter().take(LISTED) {
-        let side = |s: Option<crate::positioning::Side>| (um(s.map(|s| s.mean)), um(s.and_then(|s| s.scatter)));
+        let side =
+            |s: Option<crate::positioning::Side>| (printed(s.map(|s| s.mean)), printed(s.and_then(|s| s.scatter)));
         let ((forward, sf), (backward, sb)) = (side(t.forward), side(t.backward));
-        let (reversal, repeatability) = (um(t.reversal()), um(t.repeatability()));
+        let (reversal, repeatability) = (printed(t.reversal()), printed(t.repeatability()));
         let _ = writeln!(
             text,
             "  {:>10}  {forward:>10} {sf:>8}  {backward:>10} {sb:>8}  {reversal:>10} {repeatability:>10}",
-            millimetres(t.position)
+            place(measures, t.position)
         );
     }
     let more = evaluation.targets.len().saturating_sub(LISTED);
     if more > 0 {
         let _ = writeln!(text, "  and {more} more (--json has them all)");
     }
-    let _ = writeln!(text, "  in mm and um");
+    let _ = writeln!(text, "  in {} and {}", measures.position_unit(), measures.deviation_unit());
 }
 
 fn reversal(text: &mut String, c: &Compensation) {
@@ -150,11 +161,12 @@ fn reversal(text: &mut String, c: &Compensation) {
         let _ = writeln!(text, "\nno target was approached from both sides: the reversal is not known");
         return;
     };
+    let unit = c.measures.deviation_unit();
     let _ = writeln!(
         text,
-        "\nbacklash value   {} um, (b_max + b_min)/2 of the lost motion b = mean- less mean+\nnot removable    {} um either way by any single value, (b_max - b_min)/2",
-        micrometres(reversal.value),
-        micrometres(reversal.rest)
+        "\nbacklash value   {} {unit}, (b_max + b_min)/2 of the lost motion b = mean- less mean+\nnot removable    {} {unit} either way by any single value, (b_max - b_min)/2",
+        small(c.measures, reversal.value),
+        small(c.measures, reversal.rest)
     );
     if let Some(lost) = &c.lost_motion {
         let _ = writeln!(text, "lost motion      {}", lost_motion(lost));
@@ -170,7 +182,9 @@ fn reversal(text: &mut String, c: &Compensation) {
     }
 }
 
+/// Parts of the lost motion, which only screws have: in um.
 fn lost_motion(l: &LostMotion) -> String {
+    let micrometres = |m: f64| small(Measures::LINEAR, m);
     let none = match l.kinematic() {
         Kinematic::BelowNone => {
             ", below zero as no play is: more is compensated already, or it is no sum of these parts"
@@ -203,8 +217,8 @@ fn lost_motion(l: &LostMotion) -> String {
 
 /// The step that comes nearer to the targets than the parts do.
 fn step(s: &Step) -> String {
-    let [misfit, constant] = [s.misfit, s.constant].map(micrometres);
-    let [from, to] = [s.from, s.to].map(millimetres);
+    let [misfit, constant] = [s.misfit, s.constant].map(|m| small(Measures::LINEAR, m));
+    let [from, to] = [s.from, s.to].map(|m| place(Measures::LINEAR, m));
     let (height, friction) = (signed(1e6 * s.height, 4), fixed(s.friction, 0));
     let harder = if s.height > 0.0 { "beyond" } else { "before" };
     format!(
@@ -217,19 +231,21 @@ fn tolerances(text: &mut String, c: &Compensation) {
     let width = c.before.iter().map(|check| check.name.len()).max().unwrap_or(0);
     let _ = writeln!(
         text,
-        "\n{:<width$}  {:>10} {:>12} {:>12} {:>12}   um",
+        "\n{:<width$}  {:>10} {:>12} {:>12} {:>12}   {}",
         "tolerances",
         "allowed",
         "measured",
         "one value",
         "each way",
+        c.measures.deviation_unit(),
         width = width + 2
     );
-    let cell = |c: &Check| format!("{}{}", um(c.value), if c.passed() { " " } else { "!" });
+    let cell = |check: &Check| format!("{}{}", known(c.measures, check.value), if check.passed() { " " } else { "!" });
     let [points, _, both] = &c.schemes;
     for ((before, one), both) in c.before.iter().zip(&points.checks).zip(&both.checks) {
         let cells = format!("{:>12} {:>12} {:>12}", cell(before), cell(one), cell(both));
-        let _ = writeln!(text, "  {:<width$}  {:>10.4} {}", before.name, 1e6 * before.limit, cells.trim_end());
+        let _ =
+            writeln!(text, "  {:<width$}  {:>10.4} {}", before.name, c.measures.off(before.limit), cells.trim_end());
     }
     if c.before.iter().chain(c.schemes.iter().flat_map(|s| &s.checks)).any(|c| !c.passed()) {
         let _ = writeln!(text, "  ! out of tolerance or not known");
@@ -237,27 +253,37 @@ fn tolerances(text: &mut String, c: &Compensation) {
 }
 
 fn modelled(text: &mut String, c: &Compensation) {
-    let rms = 1e6 * c.model.rms;
+    let (rms, small) = (c.measures.deviation.shown(c.model.rms), c.measures.deviation);
     let fitted = if c.model.fitted { "fitted to the test, " } else { "" };
-    let _ =
-        writeln!(text, "\nby the model, along the whole travel ({fitted}it misses the readings by {rms:.4} um rms)");
+    let _ = writeln!(
+        text,
+        "\nby the model, along the whole {} ({fitted}it misses the readings by {rms:.4} rms)",
+        if c.measures.is_rotary() { "range" } else { "travel" }
+    );
     for scheme in &c.schemes {
-        let _ = writeln!(text, "  {:<30} leaves a range of {:.4} um", scheme.name, 1e6 * scheme.modelled.spread());
+        let _ = writeln!(text, "  {:<30} leaves a range of {:.4}", scheme.name, small.shown(scheme.modelled.spread()));
     }
 }
 
 fn entries(text: &mut String, c: &Compensation) {
     let [points, _, _] = &c.schemes;
+    let [unit_of_place, off] = [c.measures.position_unit(), c.measures.deviation_unit()];
     let mut before = None;
     let _ = writeln!(
         text,
-        "\nto enter: backlash {} um, and at each point (linear between)",
-        micrometres(points.entered.backlash())
+        "\nto enter: backlash {} {off}, and at each point (linear between)",
+        small(c.measures, points.entered.backlash())
     );
-    let _ = writeln!(text, "  {:>10}  {:>10} {:>10}", "position", "added", "increment");
+    let _ = writeln!(
+        text,
+        "  {:>10}  {:>10} {:>10}",
+        if c.measures.is_rotary() { "angle" } else { "position" },
+        "added",
+        "increment"
+    );
     for node in points.entered.nodes.iter().take(LISTED) {
-        let step = before.map_or("-".into(), |b: f64| signed(1e6 * (node.forward - b), 4));
-        let (at, added) = (millimetres(node.position), signed(1e6 * node.forward, 4));
+        let step = before.map_or("-".into(), |b: f64| signed(c.measures.off(node.forward - b), 4));
+        let (at, added) = (place(c.measures, node.position), signed(c.measures.off(node.forward), 4));
         let _ = writeln!(text, "  {at:>10}  {added:>10} {step:>10}");
         before = Some(node.forward);
     }
@@ -265,16 +291,19 @@ fn entries(text: &mut String, c: &Compensation) {
         Some(_) => "with what the controller had during the test, and in its place",
         None => "onto what the controller had during the test",
     };
-    let _ = writeln!(text, "  in mm and um, {onto}; then measure again, until the axis keeps its tolerance");
+    let _ = writeln!(
+        text,
+        "  in {unit_of_place} and {off}, {onto}; then measure again, until the axis keeps its tolerance"
+    );
 }
 
 /// Describes the files for the controls that were asked for: the range left at the targets, and notes.
-fn controls(text: &mut String, supplied: &[Supplied]) {
+fn controls(text: &mut String, supplied: &[Supplied], measures: Measures) {
     for s in supplied.iter().filter(|s| s.is_asked) {
-        let left = micrometres(s.left);
+        let (left, unit) = (small(measures, s.left), measures.deviation_unit());
         let _ = writeln!(
             text,
-            "\nfor {}, {}\n  leaves a range of {left} um at the targets",
+            "\nfor {}, {}\n  leaves a range of {left} {unit} at the targets",
             s.control.name, s.control.about
         );
         for note in &s.notes {

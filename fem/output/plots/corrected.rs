@@ -5,13 +5,14 @@ use super::layout::Layout;
 use crate::correct::Correction;
 use crate::model::Model;
 use crate::output::chart::{Axis, Chart, Form, Plane, Series};
-use crate::units::MICRO;
+use crate::units::Kind;
 
 /// What is left with its band between the limits, before the grey errors as they are; and what is added to the command.
 pub fn corrected(model: &Model, found: &Correction) -> Vec<Chart> {
     let given: Vec<usize> = found.commanded.apart().chain([found.commanded.along]).collect();
     let layouts = Layout::each(&*model.process, &found.rows, &given, &[found.commanded.observable]);
-    layouts.iter().flat_map(|layout| [left(model, found, layout), change(found, layout)]).collect()
+    let kind = model.process.observables()[found.commanded.observable].error_kind();
+    layouts.iter().flat_map(|layout| [left(model, found, layout), change(found, layout, kind)]).collect()
 }
 
 fn left(model: &Model, found: &Correction, layout: &Layout) -> Chart {
@@ -42,14 +43,14 @@ fn left(model: &Model, found: &Correction, layout: &Layout) -> Chart {
     }
 }
 
-fn change(found: &Correction, layout: &Layout) -> Chart {
+fn change(found: &Correction, layout: &Layout, kind: Kind) -> Chart {
     let changes = found.command.changes();
     let (x, _) = layout.axes();
-    let y = Axis::new(found.commanded.key.replace('_', " "), MICRO.unit);
+    let y = Axis::new(found.commanded.key.replace('_', " "), kind.unit);
     Chart {
         name: "change".into(),
         title: format!("what is added to the {}", found.commanded.words),
         note: String::new(),
-        plane: Plane::Curves { x, y, series: layout.lines(&|row| MICRO.from_si(changes[layout.rows[row]])) },
+        plane: Plane::Curves { x, y, series: layout.lines(&|row| kind.from_si(changes[layout.rows[row]])) },
     }
 }

@@ -99,8 +99,8 @@ pub fn dots(layout: &Layout, variable: &Variable, value: &dyn Fn(usize) -> f64) 
 pub fn measured(rows: &Rows, judged: &Judged) -> Vec<Chart> {
     let mut charts = Vec::new();
     if let Some(test) = rows.model.system.positioning() {
-        let approaches = test.approaches(&rows.measurements.rows);
-        charts.push(positioning::chart(&approaches, judged.measured, "measured", Some(judged.predicted)));
+        let of = (test, &rows.measurements.rows);
+        charts.push(positioning::chart(of, judged.measured, "measured", Some(judged.predicted)));
     }
     for layout in &rows.layouts {
         let kind = rows.kind(layout);

@@ -1,11 +1,18 @@
 //! A positioning test as ISO 230-2 draws it: means of both directions, twice their scatter, and the readings.
 
 use crate::output::chart::{Axis, Chart, Form, Plane, Point, Series};
-use crate::positioning::{Approach, Direction, EDITION, Evaluation, Quantity, Side};
-use crate::units::{LENGTH, MICRO};
+use crate::positioning::{Direction, EDITION, Evaluation, Quantity, Side};
+use crate::process::{Positioning, Rows};
 
-/// The chart of readings (m), one for each approach; beside them those that a model predicts.
-pub fn chart(approaches: &[Approach], readings: &[f64], what: &str, predicted: Option<&[f64]>) -> Chart {
+/// The chart of readings (SI) of the rows of a test; beside them those that a model predicts.
+pub fn chart(
+    (test, rows): (&dyn Positioning, &Rows),
+    readings: &[f64],
+    what: &str,
+    predicted: Option<&[f64]>,
+) -> Chart {
+    let (approaches, measures) = (&test.approaches(rows), test.measures());
+    let (place, small) = (measures.position, measures.deviation);
     let evaluation = Evaluation::of(approaches, readings);
     let foretold = predicted.map(|values| Evaluation::of(approaches, values));
     let mut series = Vec::new();
@@ -13,13 +20,13 @@ pub fn chart(approaches: &[Approach], readings: &[f64], what: &str, predicted: O
         let of = |evaluation: &Evaluation, value: &dyn Fn(&Side) -> Option<f64>| -> Vec<Point> {
             let point = |t: &crate::positioning::Target| {
                 let y = t.side(direction).and_then(value)?;
-                Some(Point::new(LENGTH.from_si(t.position), MICRO.from_si(y)))
+                Some(Point::new(place.from_si(t.position), small.from_si(y)))
             };
             evaluation.targets.iter().filter_map(point).collect()
         };
         let named = |label: &str, form, points| Series::new(label, colour, form, points);
         let own = approaches.iter().zip(readings).filter(|(a, _)| a.direction == direction);
-        let dots = own.map(|(a, y)| Point::new(LENGTH.from_si(a.position), MICRO.from_si(*y))).collect();
+        let dots = own.map(|(a, y)| Point::new(place.from_si(a.position), small.from_si(*y))).collect();
         series.push(named("", Form::Dots, dots));
         for end in [|s: &Side| s.band().map(|b| b.1), |s: &Side| s.band().map(|b| b.0)] {
             series.push(named("", Form::Dashed, of(&evaluation, &end)));
@@ -31,16 +38,16 @@ pub fn chart(approaches: &[Approach], readings: &[f64], what: &str, predicted: O
         }
     }
     let quantities = evaluation.quantities();
-    let told = |symbol: &str| Some(format!("{symbol} {:.2}", MICRO.from_si(Quantity::find(&quantities, symbol)?)));
+    let told = |symbol: &str| Some(format!("{symbol} {:.2}", small.from_si(Quantity::find(&quantities, symbol)?)));
     let told: Vec<String> = ["A", "E", "M", "R", "B"].into_iter().filter_map(told).collect();
     let beside = if foretold.is_some() { "; pale: predicted means" } else { "" };
     Chart {
         name: "positioning".into(),
         title: format!("{what} positioning test ({EDITION})"),
-        note: format!("{} um; broken: mean \u{b1} 2s{beside}", told.join(", ")),
+        note: format!("{} {}; broken: mean \u{b1} 2s{beside}", told.join(", "), small.unit),
         plane: Plane::Curves {
-            x: Axis::new("position", LENGTH.unit),
-            y: Axis::new("deviation", MICRO.unit),
+            x: Axis::new(if measures.is_rotary() { "angle" } else { "position" }, place.unit),
+            y: Axis::new("deviation", small.unit),
             series: series.into_iter().filter(|s: &Series| !s.points.is_empty()).collect(),
         },
     }

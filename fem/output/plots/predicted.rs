@@ -22,7 +22,7 @@ fn layouts(model: &Model, rows: &Rows) -> Vec<Layout> {
 pub fn predicted(model: &Model, run: &Run, band: Option<&Band>) -> Vec<Chart> {
     let rows = model.system.programme();
     if let Some(test) = model.system.positioning() {
-        return vec![positioning::chart(&test.approaches(&rows), &run.prediction, "predicted", None)];
+        return vec![positioning::chart((test, &rows), &run.prediction, "predicted", None)];
     }
     let limits = model.system.limits(&rows);
     let charts = |layout: &Layout| {

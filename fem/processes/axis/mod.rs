@@ -6,7 +6,6 @@
 
 mod advice;
 mod allowed;
-mod controller;
 mod drag;
 mod effects;
 mod forward;

@@ -1,7 +1,7 @@
 //! Deviations as they are measured: which target, from which side, in which run, when.
 
 use super::setup::Setup;
-use crate::positioning::{Approach, Direction, Steps, Table, Tolerance};
+use crate::positioning::{Approach, Direction, Measures, Steps, Table, Tolerance};
 use crate::process::{
     Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows, Values,
 };
@@ -207,6 +207,10 @@ pub fn candidate_experiments(setup: &Setup, of: &Rows) -> Vec<CandidateExperimen
 }
 
 impl Positioning for Setup {
+    fn measures(&self) -> Measures {
+        Measures::LINEAR
+    }
+
     fn approaches(&self, rows: &Rows) -> Vec<Approach> {
         (0..rows.len()).map(|row| approach(rows, row)).collect()
     }
@@ -246,7 +250,7 @@ impl Positioning for Setup {
         self.test.reading_at_zero
     }
 
-    fn screw_compliance(&self, position: f64) -> f64 {
-        self.screw().compliance(position)
+    fn screw_compliance(&self, position: f64) -> Option<f64> {
+        Some(self.screw().compliance(position))
     }
 }

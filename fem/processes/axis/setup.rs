@@ -1,13 +1,12 @@
 //! The tables of an axis model.
 
 use super::allowed::ALLOWED;
-use super::controller::Controller;
 use super::drag::Drag;
 use crate::element::Round;
 use crate::input::{Along, Reader, Varying};
 use crate::material::Material;
-use crate::positioning::Tolerance;
-use crate::process::{Allowed, Nut, estimates};
+use crate::positioning::{Measures, Tolerance};
+use crate::process::{Allowed, Controller, Nut, estimates};
 use crate::solve::Bar;
 use crate::units::{LENGTH, TEMPERATURE, TIME};
 
@@ -125,7 +124,7 @@ impl Setup {
             })
             .unwrap_or_default();
         let about = "the controller's compensation, for `fem compensate`";
-        let controller = model.optional_table("controller", about, |t| Controller::read(t, travel));
+        let controller = model.optional_table("controller", about, |t| Controller::read(t, travel, Measures::LINEAR));
         Self {
             from,
             travel,
@@ -253,5 +252,6 @@ fn read_tolerance(t: &Reader) -> Tolerance {
             .quantity("repeatability", LENGTH, "allowed scatter and reversal, either way")
             .positive()
             .or(usual.repeatability),
+        measures: Measures::LINEAR,
     }
 }

@@ -1,5 +1,5 @@
 //! Practice cases with a hidden physical effect, made by other code and other numerics than the program
-//! under test: see [`turning`], [`ring`], [`thermal`], [`axis`], [`stiffness`], [`contour`], [`fixture`] and
+//! under test: see [`turning`], [`ring`], [`thermal`], [`axis`], [`rotary`], [`stiffness`], [`contour`], [`fixture`] and
 //! [`cam`]. Laws, signs and units are those that `fem effects` states; what several of them make together is one
 //! machine in one equilibrium, and [`meeting`] lets any two of them meet in any way of holding.
 //!
@@ -22,6 +22,7 @@ pub mod meeting;
 pub mod preload;
 pub mod random;
 pub mod ring;
+pub mod rotary;
 pub mod stiffness;
 pub mod thermal;
 pub mod trouble;
@@ -40,6 +41,7 @@ pub use hidden_law::{Beside, HiddenLaw};
 pub use job::NoiseKind;
 pub use law::Cause as Hidden;
 pub use ring::RING;
+pub use rotary::ROTARY;
 pub use stiffness::STIFFNESS;
 pub use thermal::THERMAL;
 pub use trouble::Trouble;
@@ -79,11 +81,12 @@ pub struct Process {
 }
 
 /// All processes by the names that models give them.
-pub const BY_NAME: [(&str, &Process); 8] = [
+pub const BY_NAME: [(&str, &Process); 9] = [
     ("turning", &TURNING),
     ("ring", &RING),
     ("stiffness", &STIFFNESS),
     ("axis", &AXIS),
+    ("rotary", &ROTARY),
     ("contour", &CONTOUR),
     ("fixture", &FIXTURE),
     ("thermal", &THERMAL),

@@ -1,8 +1,8 @@
 //! Every pair of effects of every process, in every scene that admits it.
 
-use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, STIFFNESS, THERMAL, TURNING};
+use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, ROTARY, STIFFNESS, THERMAL, TURNING};
 
-const ALL: &[&Process] = &[&TURNING, &RING, &STIFFNESS, &AXIS, &CONTOUR, &FIXTURE, &THERMAL, &CAM];
+const ALL: &[&Process] = &[&TURNING, &RING, &STIFFNESS, &AXIS, &ROTARY, &CONTOUR, &FIXTURE, &THERMAL, &CAM];
 
 /// Effects that show nothing in a scene though they are admitted, of all scenes in which they are alone.
 #[test]

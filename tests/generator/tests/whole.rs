@@ -1,9 +1,9 @@
 //! Whole machines: what is drawn, how visible it is, and that the ideal model shows none of it.
 
 use generator::typical::{WEIGHTS, weight};
-use generator::{AXIS, CAM, CONTOUR, FIXTURE, NoiseKind, Process, RING, STIFFNESS, THERMAL, TURNING};
+use generator::{AXIS, CAM, CONTOUR, FIXTURE, NoiseKind, Process, RING, ROTARY, STIFFNESS, THERMAL, TURNING};
 
-const ALL: &[&Process] = &[&TURNING, &RING, &STIFFNESS, &AXIS, &CONTOUR, &FIXTURE, &THERMAL, &CAM];
+const ALL: &[&Process] = &[&TURNING, &RING, &STIFFNESS, &AXIS, &ROTARY, &CONTOUR, &FIXTURE, &THERMAL, &CAM];
 
 #[test]
 fn every_effect_has_one_weight() {

@@ -17,8 +17,12 @@ const MOST: usize = 1499;
 const UNIT: f64 = 1e-7;
 
 /// `--for beckhoff`.
-pub const BECKHOFF: Control =
-    Control { name: "beckhoff", about: "Beckhoff TwinCAT CNC, ISG kernel: kw.ssfk, a value for each direction", write };
+pub const BECKHOFF: Control = Control {
+    name: "beckhoff",
+    about: "Beckhoff TwinCAT CNC, ISG kernel: kw.ssfk, a value for each direction",
+    turns: false,
+    write,
+};
 
 fn write(order: &Order) -> Result<Written, String> {
     let points = order.both.nodes.len();

@@ -36,8 +36,12 @@ pub(super) const AS_PUNCHED: &str =
     "the tape numbers the points from N10000 on: compare it with what the control itself punches out first";
 
 /// `--for fanuc`.
-pub const FANUC: Control =
-    Control { name: "fanuc", about: "FANUC 0i, 16i, 18i, 30i: pitch error increments and a backlash value", write };
+pub const FANUC: Control = Control {
+    name: "fanuc",
+    about: "FANUC 0i, 16i, 18i, 30i: pitch error increments and a backlash value",
+    turns: false,
+    write,
+};
 
 fn write(order: &Order) -> Result<Written, String> {
     let mut notes = Vec::new();

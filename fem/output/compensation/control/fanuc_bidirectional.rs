@@ -21,6 +21,7 @@ const LAST_NUMBER: i64 = 1023;
 pub const FANUC_BIDIRECTIONAL: Control = Control {
     name: "fanuc-bidirectional",
     about: "FANUC 16i, 18i, 30i: pitch error increments for each direction, 3605#0",
+    turns: false,
     write,
 };
 

@@ -20,8 +20,12 @@ const MOST: usize = 256;
 const LEAST: f64 = 1e-7;
 
 /// `--for heidenhain`.
-pub const HEIDENHAIN: Control =
-    Control { name: "heidenhain", about: "HEIDENHAIN: a .COM table of non-linear axis-error compensation", write };
+pub const HEIDENHAIN: Control = Control {
+    name: "heidenhain",
+    about: "HEIDENHAIN: a .COM table of non-linear axis-error compensation",
+    turns: false,
+    write,
+};
 
 fn write(order: &Order) -> Result<Written, String> {
     let (axis, mut notes) = (order.axis, Vec::new());

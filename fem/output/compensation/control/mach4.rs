@@ -20,7 +20,8 @@ const FEW: usize = 200;
 const LEAST: f64 = 1e-7;
 
 /// `--for mach4`.
-pub const MACH4: Control = Control { name: "mach4", about: "Mach4: a screw map for each direction, to type in", write };
+pub const MACH4: Control =
+    Control { name: "mach4", about: "Mach4: a screw map for each direction, to type in", turns: false, write };
 
 fn write(order: &Order) -> Result<Written, String> {
     let mut notes = Vec::new();

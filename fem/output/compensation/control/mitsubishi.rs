@@ -21,8 +21,12 @@ const MOST: usize = 1024;
 const RANGE: [i64; 2] = [-128, 127];
 
 /// `--for mitsubishi`.
-pub const MITSUBISHI: Control =
-    Control { name: "mitsubishi", about: "MITSUBISHI C6, C64, E68: machine error compensation, incremental", write };
+pub const MITSUBISHI: Control = Control {
+    name: "mitsubishi",
+    about: "MITSUBISHI C6, C64, E68: machine error compensation, incremental",
+    turns: false,
+    write,
+};
 
 fn write(order: &Order) -> Result<Written, String> {
     let mut notes = Vec::new();

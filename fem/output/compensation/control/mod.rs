@@ -44,7 +44,7 @@ pub struct Supplied {
     pub files: Vec<(&'static str, String)>,
     /// Notes for the user: changes made on the way, further settings, and assumptions where the manual is silent.
     pub notes: Vec<String>,
-    /// Range of the mean deviations that are left at the targets, from both sides, m.
+    /// Range of the mean deviations that are left at the targets, from both sides, m or rad.
     pub left: f64,
     /// Whether the user has named the control: what nobody has asked for is written, and not told.
     pub is_asked: bool,
@@ -60,8 +60,17 @@ pub fn supplied(
     axis: &str,
     is_asked: bool,
 ) -> Result<Supplied, String> {
+    let measures = found.measures;
+    if measures.is_rotary() && !control.turns {
+        let takes: Vec<&str> = ALL.iter().filter(|other| other.turns).map(|other| other.name).collect();
+        return Err(format!(
+            "its file is written for axes that travel along a line alone: of a rotary axis take {}, or type in points.csv",
+            takes.join(", ")
+        ));
+    }
     let [one, _, both] = &found.schemes;
-    let written = (control.write)(&Order { axis, one: &one.entered, both: &both.entered, steps: found.steps })?;
+    let order = Order { axis, one: &one.entered, both: &both.entered, steps: found.steps, measures };
+    let written = (control.write)(&order)?;
     let left = left(found, &written.table);
     Ok(Supplied { control, files: written.files, notes: written.notes, left, is_asked })
 }

@@ -1,10 +1,15 @@
 //! Input and output of a control's writer, and the points at which a table is taken.
 
-use crate::output::number::{fixed, mm};
-use crate::positioning::{Direction, Grid, Node, Steps, Table};
+use std::f64::consts::TAU;
 
-/// How near the points come to the entries that nobody has placed, m: finer than any control's least increment.
+use crate::output::number::{fixed, trimmed};
+use crate::positioning::{Direction, Grid, Measures, Node, Steps, Table};
+
+/// How near the points come to the entries that nobody has placed, m or rad: finer than any control's least increment.
 const NEAR: f64 = 5e-8;
+
+/// Steps to which a distance is rounded up that nobody has said, in the unit of positions: 1 um, 0.001 deg.
+const STEP: f64 = 1e-3;
 
 /// A control whose file is written.
 pub struct Control {
@@ -12,6 +17,8 @@ pub struct Control {
     pub name: &'static str,
     /// The control and its function, for people.
     pub about: &'static str,
+    /// Whether its file takes the angles of a rotary axis, in degrees.
+    pub turns: bool,
     /// Makes the files, or says why it cannot.
     pub write: fn(&Order) -> Result<Written, String>,
 }
@@ -36,12 +43,60 @@ pub struct Order<'a> {
     pub both: &'a Table,
     /// Points at which it takes increments, if they are told.
     pub steps: Option<Steps>,
+    /// In what the axis is told.
+    pub measures: Measures,
 }
 
 /// Why a table of one target is no table.
 const ONE_TARGET: &str = "a table needs two targets at least";
 
 impl Order<'_> {
+    /// A position, or a value of the table, in mm or deg with six decimals, without zeros behind.
+    pub fn in_units(&self, si: f64) -> String {
+        trimmed(self.measures.position.from_si(si), 6)
+    }
+
+    /// The same with zeros behind.
+    pub fn in_full(&self, si: f64) -> String {
+        fixed(self.measures.position.from_si(si), 6)
+    }
+
+    /// The unit of both.
+    pub fn unit(&self) -> &str {
+        self.measures.position_unit()
+    }
+
+    /// A value as it is left by six decimals of that unit.
+    pub fn rounded(&self, si: f64) -> f64 {
+        let least = self.measures.position.to_si(1e-6);
+        (si / least).round() * least
+    }
+
+    /// Whether a grid goes round a whole turn, so that its first point and its last are one place.
+    pub fn is_round(&self, grid: &Grid) -> bool {
+        self.measures.is_rotary() && (grid.last() - grid.first - TAU).abs() < 1e-9
+    }
+
+    /// The table of a whole turn with one value where it begins and ends: the mean of both.
+    pub fn closed(&self, table: Table, notes: &mut Vec<String>) -> Table {
+        let Some((first, last)) = table.nodes.first().copied().zip(table.nodes.last().copied()) else { return table };
+        let mean = |of: fn(&Node) -> f64| 0.5 * (of(&first) + of(&last));
+        let ends = [mean(|n| n.forward), mean(|n| n.backward)];
+        let off = (first.forward - ends[0]).abs().max((first.backward - ends[1]).abs());
+        notes.push(format!(
+            "the table goes round a whole turn: where it begins and ends one value is entered, the mean of both, {} {} from \
+             either",
+            fixed(self.measures.off(off), 3),
+            self.measures.deviation_unit()
+        ));
+        let mut table = table;
+        let count = table.nodes.len();
+        for end in [0, count - 1] {
+            (table.nodes[end].forward, table.nodes[end].backward) = (ends[0], ends[1]);
+        }
+        table
+    }
+
     /// Takes a table at points of equal distance, `most` at most: those of the model's `steps`, or where the targets
     /// stand at equal distances, or else as few as meet the targets, `few` at most; and notes where it misses them.
     pub fn evenly(
@@ -52,22 +107,41 @@ impl Order<'_> {
         notes: &mut Vec<String>,
     ) -> Result<(Grid, Table), String> {
         let grid = match (self.steps, Grid::of(table)) {
-            (Some(steps), _) => grid_from_reference(table, steps, most)?,
+            (Some(steps), _) => self.grid_from_reference(table, steps, most)?,
             (None, Some(grid)) if grid.points <= most => grid,
-            (None, _) => Grid::fitted(table, few, NEAR).ok_or(ONE_TARGET)?,
+            (None, _) => Grid::fitted(table, few, NEAR, self.measures.position.to_si(STEP)).ok_or(ONE_TARGET)?,
         };
         let taken = table.on(grid);
         let missed = table.missed_by(&taken);
         if Grid::of(table).is_none_or(|own| own.points != grid.points) || missed > NEAR {
-            let (count, every, from, to) = (grid.points, mm(grid.interval, 6), mm(grid.first, 6), mm(grid.last(), 6));
+            let [every, from, to] = [grid.interval, grid.first, grid.last()].map(|si| self.in_units(si));
             notes.push(format!(
-                "the {} entries of the table are taken at {count} points, every {every} mm from {from} to {to} mm, which \
-                 miss them by {} um at most",
+                "the {} entries of the table are taken at {} points, every {every} {unit} from {from} to {to} {unit}, which \
+                 miss them by {} {} at most",
                 table.nodes.len(),
-                fixed(1e6 * missed, 3)
+                grid.points,
+                fixed(self.measures.off(missed), 3),
+                self.measures.deviation_unit(),
+                unit = self.unit()
             ));
         }
         Ok((grid, taken))
+    }
+
+    /// Grid through the reference point with the interval that the model gives, `most` points at most.
+    fn grid_from_reference(&self, table: &Table, steps: Steps, most: usize) -> Result<Grid, String> {
+        let grid = Grid::through(table, steps.reference, steps.interval).ok_or(ONE_TARGET)?;
+        if grid.points > most {
+            let length = self.measures.position.from_si(grid.last() - grid.first);
+            let least = trimmed((1e3 * length / (most - 1) as f64).ceil() / 1e3, 3);
+            let (points, unit) = (grid.points, self.unit());
+            return Err(format!(
+                "{points} points every {} {unit} are more than the {most} that it takes: make `interval` of `steps` {least} \
+                 {unit} at least",
+                self.in_units(steps.interval)
+            ));
+        }
+        Ok(grid)
     }
 
     /// The points and the count of their increments, for a control that counts them from its reference point.
@@ -97,22 +171,6 @@ impl Order<'_> {
         let zero = table.correction(steps.reference, Direction::Forward);
         table.map(|added, _| added - zero)
     }
-}
-
-/// Grid through the reference point with the interval that the model gives, `most` points at most.
-fn grid_from_reference(table: &Table, steps: Steps, most: usize) -> Result<Grid, String> {
-    let grid = Grid::through(table, steps.reference, steps.interval).ok_or(ONE_TARGET)?;
-    if grid.points > most {
-        let length = grid.last() - grid.first;
-        let least = mm((1e6 * length / (most - 1) as f64).ceil() / 1e6, 3);
-        let points = grid.points;
-        return Err(format!(
-            "{points} points every {} mm are more than the {most} that it takes: make `interval` of `steps` {least} mm at \
-             least",
-            mm(steps.interval, 6)
-        ));
-    }
-    Ok(grid)
 }
 
 /// A table in counts from a reference point.

@@ -4,11 +4,11 @@ mod shapes;
 mod sketch;
 
 use super::machine::Machine;
-use super::rows::{COORDINATES, DIRECTION, OBSERVABLES, POSITION, RUN, TIME_OF_ROW, approach};
+use super::rows::{COORDINATES, DIRECTION, OBSERVABLES, POSITION, RUN, TIME_OF_ROW};
 use super::setup::Setup;
-use crate::positioning::{Direction, EDITION, Evaluation, Quantity, Target};
-use crate::process::{Datum, Figure, Forward, Nut, Plot, Positioning, RunReport, Table, first_extreme, range};
-use crate::units::{LENGTH, MICRO, STIFFNESS};
+use crate::positioning::{Direction, Evaluation, Measures};
+use crate::process::{Datum, Figure, Forward, Nut, Positioning, RunReport, Table, Tested, range};
+use crate::units::{MICRO, STIFFNESS};
 
 /// One of two clearances rules when it is this many times the other.
 const RULES: f64 = 2.0;
@@ -22,71 +22,22 @@ pub fn report(machine: &Machine, forward: &Forward) -> RunReport {
     let zero = setup.test.reading_at_zero.unwrap_or(0.0);
     let deviations: Vec<f64> = readings.iter().map(|reading| reading - zero).collect();
     let forward = &forward.showing(&deviations);
-    let evaluation = Evaluation::of(&setup.approaches(rows), &deviations);
-    let quantities = evaluation.quantities();
-    let mut figures = vec![
-        extreme("largest", "largest deviation", f64::gt, forward),
-        extreme("smallest", "smallest deviation", f64::lt, forward),
-        standard(&quantities),
-    ];
-    figures.extend(LETTERS.iter().filter_map(|letter| quantity(&quantities, *letter)));
+    let approaches = setup.approaches(rows);
+    let evaluation = Evaluation::of(&approaches, &deviations);
+    let tested = Tested { approaches: &approaches, deviations: &deviations, measures: Measures::LINEAR };
+    let mut figures = tested.figures(&evaluation);
     figures.extend([lost_motion(machine), screw(setup)]);
     figures.extend(setup.nut.as_ref().map(Nut::figure));
     let told = (COORDINATES, &[RUN, POSITION, DIRECTION, TIME_OF_ROW][..]);
     RunReport {
         profile: Table::of_rows(told, rows, &OBSERVABLES[0], readings),
         figures,
-        plots: Direction::BOTH.map(|direction| plot(&evaluation, direction)).into(),
+        plots: Direction::BOTH.map(|direction| tested.plot(&evaluation, direction)).into(),
         warnings: warnings(setup),
         sketch: Some(sketch::sketch(machine)),
         animation: Some(shapes::animation(machine, forward)),
         ..RunReport::default()
     }
-}
-
-fn extreme(key: &'static str, label: &'static str, beats: fn(&f64, &f64) -> bool, forward: &Forward) -> Figure {
-    let row = first_extreme(forward.prediction, beats);
-    let (value, at) = (forward.prediction[row], approach(forward.programme, row));
-    let (shown, position, sign) = (MICRO.shown(value), LENGTH.shown(at.position), at.direction.sign());
-    Figure::new(key, label)
-        .quantity("value", MICRO, value)
-        .quantity("position", LENGTH, at.position)
-        .entry("direction", sign)
-        .entry("run", at.run as usize)
-        .line(format!("{shown:+.3} at {position:.1} approached in {sign}, run {}", at.run))
-}
-
-/// All quantities of ISO 230-2.
-fn standard(quantities: &[Quantity]) -> Figure {
-    let record = |q: &Quantity| {
-        let [symbol, name, formula] = [q.symbol, q.name, q.formula].map(Datum::from);
-        Datum::record([("symbol", symbol), ("name", name), ("formula", formula), ("value", known(q.value))])
-    };
-    Figure::new("iso230", EDITION)
-        .line("of this prediction, which has no scatter: s is what drifts from run to run")
-        .entry("edition", EDITION)
-        .entry("quantities", Datum::List(quantities.iter().map(record).collect()))
-}
-
-/// Datum of a quantity of ISO 230-2, NaN where the test does not give it.
-fn known(value: Option<f64>) -> Datum {
-    Datum::of(MICRO, value.unwrap_or(f64::NAN))
-}
-
-/// Quantities with a figure of their own: letter, key and label.
-const LETTERS: [(&str, &str, &str); 5] = [
-    ("A", "accuracy", "  A accuracy"),
-    ("E", "systematic", "  E systematic error"),
-    ("M", "mean_bidirectional", "  M mean of both ways"),
-    ("R", "repeatability", "  R repeatability"),
-    ("B", "reversal", "  B reversal error"),
-];
-
-fn quantity(all: &[Quantity], (letter, key, label): (&str, &'static str, &'static str)) -> Option<Figure> {
-    let found = all.iter().find(|q| q.symbol == letter)?;
-    let place = found.at.map_or(String::new(), |at| format!(" at {:.1}", LENGTH.shown(at)));
-    let text = found.value.map_or("needs two runs".into(), |v| format!("{:.3}{place}", MICRO.shown(v)));
-    Some(Figure::new(key, label).entry("value", known(found.value)).line(text))
 }
 
 /// Figure of the clearance that rules in the drive [seed 000]: the kinematic one of light machines, or the elastic one
@@ -127,16 +78,6 @@ fn screw(setup: &Setup) -> Figure {
         "rigid at every target".into()
     };
     Figure::new("screw_stiffness", "screw").quantity("value", STIFFNESS, stiffness).line(text)
-}
-
-/// The mean deviation of a direction.
-fn plot(evaluation: &Evaluation, direction: Direction) -> Plot {
-    let point = |t: &Target| Some((LENGTH.from_si(t.position), MICRO.from_si(t.side(direction)?.mean)));
-    Plot {
-        title: format!("mean deviation [um] over position [mm], approached in {}", direction.sign()),
-        x_unit: &LENGTH.unit,
-        points: evaluation.targets.iter().filter_map(point).collect(),
-    }
 }
 
 fn warnings(setup: &Setup) -> Vec<String> {
