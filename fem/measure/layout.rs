@@ -106,8 +106,9 @@ fn with(text: &str, separator: char, said: Option<Option<usize>>) -> Layout {
     // What stands above and is parted as the table is, without a number where the table has numbers.
     let is_heading = |line: &Line| {
         let has_number = line.cells.iter().zip(&kinds).any(|(cell, kind)| *kind == *cell && *cell != Cell::Text);
-        // Either may end with a separator.
-        let is_as_wide = (columns - 1..=widest + 1).contains(&line.cells.len());
+        // Either may end with a separator, and one heading may be forgotten where that leaves several.
+        let fewest = if columns > 2 { columns - 1 } else { columns };
+        let is_as_wide = (fewest..=widest + 1).contains(&line.cells.len());
         is_as_wide && !has_number && line.cells.contains(&Cell::Text)
     };
     // The uppermost of the headings that follow each other; rows between them and the first that fits are wrong ones.

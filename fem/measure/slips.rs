@@ -2,7 +2,8 @@
 //!
 //! What should stand there is told by the rows themselves, without any model: along each coordinate a reading lies between
 //! its neighbours, whatever law the whole follows, and the coordinate along which rows do so best is taken. A reading that is
-//! far off and that no slip explains stays: it may be what was measured.
+//! far off and that no slip explains stays, for it may be what was measured; and beside several of these so does one that a slip
+//! happens to explain.
 
 use super::Measurements;
 use super::actual::Difference;
@@ -114,6 +115,10 @@ pub fn slips(
             if surroundings(&others).is_none_or(|there| there.far().into_iter().any(is_nearby)) {
                 continue;
             }
+            let other_values = others.iter().map(|row| measurements.observed[*row]);
+            if shift.abs() < spread(other_values) {
+                continue;
+            }
             left = others;
             found.push(Slip { row: own.row, typed: text, meant, what });
             if found.len() as f64 > MOST_SHARE * rows.len() as f64 {
@@ -124,7 +129,16 @@ pub fn slips(
         }
         break;
     }
-    found
+    // Where others are as far off and no slip explains them, what explains these is chance.
+    let unexplained = surroundings(&left).map_or(0, |here| here.far().len());
+    if unexplained >= found.len() { Vec::new() } else { found }
+}
+
+/// Standard deviation of values.
+fn spread(values: impl Iterator<Item = f64> + Clone) -> f64 {
+    let count = values.clone().count() as f64;
+    let mean = values.clone().sum::<f64>() / count;
+    (values.map(|own| (own - mean).powi(2)).sum::<f64>() / count).sqrt()
 }
 
 /// What stands around rows, along the coordinate along which they follow each other best.

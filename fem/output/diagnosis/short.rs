@@ -7,7 +7,7 @@ use super::commands::{command, discover, next_rows};
 use super::kinds::{Kinds, Open};
 use super::text::{NO_ROWS_ADVISED, experiment, head, told_by, told_otherwise, unexplained};
 use super::verdict::verdict;
-use super::words::{added, as_written, bent, label, largest_change, like, percent, rivals, settled, value_before};
+use super::words::{added, as_written, bent, label, largest_change, like, percent, rivals, value_before};
 use crate::diagnose::{Cause, Diagnosis, Group, Missing, Next, Outlier};
 use crate::fit::Estimate;
 use crate::input::Name;
@@ -90,7 +90,6 @@ fn cause(missing: &Missing, data: &Data, d: &Diagnosis) -> String {
     };
     text += &format!(": {}", values.join(", "));
     text += &largest_change(missing, data).map_or(String::new(), |[moves, size]| format!("; {moves} {}", whole(&size)));
-    text += &settled(missing, data).map_or(String::new(), |told| format!("; {told}"));
     if !missing.indistinguishable_from.is_empty() {
         let others: Vec<_> = missing.indistinguishable_from.iter().map(|other| other.label()).collect();
         text += &format!("; alike here: {}", listed(&others, FEW));

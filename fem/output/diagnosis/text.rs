@@ -4,7 +4,7 @@ use super::additions::name;
 use super::commands::{commands, discover};
 use super::verdict::verdict;
 use super::words::{
-    added, as_written, bent, chance, label, largest_change, like, percent, rivals, settled, traits, value_before,
+    added, as_written, bent, chance, label, largest_change, like, percent, rivals, traits, value_before,
 };
 use super::{absent, campaign};
 use crate::diagnose::{CERTAIN, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, RULED_OUT, Verdict};
@@ -106,7 +106,6 @@ fn cause(number: usize, missing: &Missing, data: &Data, d: &Diagnosis) -> Vec<Bl
     }
     blocks.push(Block::List(estimates(missing)));
     blocks.extend(largest_change(missing, data).map(|[moves, size]| Block::Sentence(format!("it {moves} {size}"))));
-    blocks.extend(settled(missing, data).map(Block::Sentence));
     blocks.push(Block::Sentence(chance(missing.p_value)));
     if missing.probability < CERTAIN {
         let percent = percent(missing.probability);

@@ -72,39 +72,36 @@ pub fn changed(missing: &Missing) -> Option<String> {
     Some(format!("{} after {along} {after}", values.join(", ")))
 }
 
-/// What a missing effect does to the rows, `moves the rows by up to`, and its size, `38.0 um`.
+/// What a missing effect does to the rows, `moves the rows by up to`, and its size, `38.0 um`. Where the rows settle that and
+/// leave its values open one by one, the size has its uncertainty, and growth from part to part as a shop counts it.
 pub fn largest_change(missing: &Missing, data: &Data) -> Option<[String; 2]> {
     let change = missing.largest_change.as_ref()?;
     let seen = &data.observables[change.observable];
     let rows = if data.observables.len() == 1 { "the rows" } else { &*seen.name };
-    let size = format!("{:.3} {}", Short(seen.kind.from_si(change.value)), seen.kind.unit);
-    Some([format!("moves {rows} by up to"), size.trim_end().into()])
+    let moves = format!("moves {rows} by up to");
+    let open = open_values(missing);
+    let Some(uncertainty) = change.uncertainty.filter(|own| *own < SETTLED * change.value && !open.is_empty()) else {
+        let size = format!("{:.3} {}", Short(seen.kind.from_si(change.value)), seen.kind.unit);
+        return Some([moves, size.trim_end().into()]);
+    };
+    let with = |value: f64, uncertainty: f64| {
+        let [value, uncertainty] = [value, uncertainty].map(|own| seen.kind.difference().from_si(own));
+        format!("{:.3} +- {:.2} {}", Short(value), Short(uncertainty), seen.kind.difference().unit)
+    };
+    let growth = change.growth.as_ref().filter(|own| own.uncertainty < SETTLED * own.value.abs());
+    let growth = growth.map_or(String::new(), |own| format!(", {} a {}", with(own.value, own.uncertainty), own.along));
+    let stays = if open.len() == 1 { "stays" } else { "stay" };
+    let size = with(change.value, uncertainty);
+    Some([moves, format!("{size}{growth}, though {} {stays} open", open.join(" and "))])
 }
 
-/// What the rows settle of a cause whose values they leave open one by one, in the words of a shop: how much it moves them,
-/// by how much more from each part to the next, and which of its values stay open.
-pub fn settled(missing: &Missing, data: &Data) -> Option<String> {
-    let change = missing.largest_change.as_ref()?;
-    let uncertainty = change.uncertainty.filter(|own| *own < SETTLED * change.value)?;
+/// Names of the values of a cause that the rows do not settle: without an end, or wider than they are large.
+fn open_values(missing: &Missing) -> Vec<&str> {
     let is_open = |e: &&Estimate| match (e.interval.low, e.interval.high) {
         (Some(low), Some(high)) => high - low > 2.0 * e.value.abs(),
         _ => true,
     };
-    let open: Vec<String> =
-        missing.estimates.iter().filter(is_open).map(|e| e.parameter.path.key().to_string()).collect();
-    if open.is_empty() {
-        return None;
-    }
-    let kind = data.observables[change.observable].kind;
-    let with = |value: f64, uncertainty: f64| {
-        let [value, uncertainty] = [value, uncertainty].map(|own| kind.from_si(own));
-        format!("{:.3} +- {:.2} {}", Short(value), Short(uncertainty), kind.unit)
-    };
-    let growth = change.growth.as_ref().filter(|own| own.uncertainty < SETTLED * own.value.abs());
-    let growth = growth.map_or(String::new(), |own| format!(", {} a {}", with(own.value, own.uncertainty), own.along));
-    let (it, verb) = if open.len() == 1 { ("its value", "stays") } else { ("its values", "stay") };
-    let size = with(change.value, uncertainty);
-    Some(format!("the rows settle {size} at most{growth}; {it} {} {verb} open one by one", open.join(", ")))
+    missing.estimates.iter().filter(is_open).map(|e| e.parameter.path.key()).collect()
 }
 
 /// Largest relative uncertainty of what counts as settled.
