@@ -67,7 +67,7 @@ impl Page<'_> {
             let subject = Subject { models, run: Some(RunAnswer(model, &found, band.as_ref())), evidence: None, files };
             return Ok(Made { html: page(&subject, live), notes: Vec::new(), files: named });
         };
-        let (settled, measurements, fits) = settled(models, measurements, progress)?;
+        let (Settled { models: settled, notes: fits }, measurements) = settled(models, measurements, progress)?;
         let (comparisons, measurements) = match &settled {
             Some(settled) => compare_all(settled, measurements, progress, |_, comparison| comparison)?,
             None => (Vec::new(), measurements),
@@ -99,13 +99,20 @@ impl Page<'_> {
     }
 }
 
-/// Models whose unknown values were estimated from the measurements, which come back, so that all can be compared, and notes
-/// that say so; `None` in their place where measurements do not tell a value.
+/// Models that can be compared.
+struct Settled {
+    /// `None` where the measurements do not tell a value that one of them leaves open.
+    models: Option<Vec<Model>>,
+    /// Which values were estimated first.
+    notes: Vec<String>,
+}
+
+/// Models whose unknown values were estimated from the measurements, which come back.
 fn settled(
     models: &[Model],
     mut measurements: Measurements,
     progress: &Arc<Progress>,
-) -> Result<(Option<Vec<Model>>, Measurements, Vec<String>), Error> {
+) -> Result<(Settled, Measurements), Error> {
     let (mut all, mut notes) = (Vec::new(), Vec::new());
     for model in models {
         let unknown = model.unknown();
@@ -129,8 +136,8 @@ fn settled(
         measurements = data.into_measurements();
         all.extend(found);
     }
-    let settled = (all.len() == models.len()).then_some(all);
-    Ok((settled, measurements, notes))
+    let models = (all.len() == models.len()).then_some(all);
+    Ok((Settled { models, notes }, measurements))
 }
 
 /// The model with what was missing, and its run; `None` where values stay open or nothing was found.

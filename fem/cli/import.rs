@@ -31,7 +31,7 @@ pub fn import(args: &args::Import) -> Result<(), Error> {
         let new = model.edited(&[kept(&said)])?;
         files::write(keep, new.text_at(keep).as_bytes(), guard)?;
         let (keep, from) = (keep.display(), args.file.display());
-        return Ok(print(&format!("written {keep}: {} with how files like {from} are read\n", model.source.name))?);
+        return print(&format!("written {keep}: {} with how files like {from} are read\n", model.source.name));
     }
     if let Some(output) = &args.output {
         guard.check(output)?;
@@ -44,7 +44,7 @@ pub fn import(args: &args::Import) -> Result<(), Error> {
     let imported = look(&args.file, process, &said)?;
     let file = args.file.display().to_string();
     let answer = ImportAnswer { file: &file, imported: &imported, said: &own.options() };
-    Ok(print(&page(&answer, args.json))?)
+    print(&page(&answer, args.json))
 }
 
 /// The process of a name.

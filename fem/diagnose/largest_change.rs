@@ -109,7 +109,8 @@ fn growth(
     let at = |row: usize| data.rows.columns[column][row];
     let numbers = || rows.iter().map(|row| at(*row)).filter(|number| number.is_finite());
     let [first, last] = [numbers().fold(f64::INFINITY, f64::min), numbers().fold(f64::NEG_INFINITY, f64::max)];
-    if !(last - first >= 2.0) {
+    // Without any number the ends are infinite.
+    if !first.is_finite() || last - first < 2.0 {
         return None;
     }
     let ends = |number: f64, sign: f64| {

@@ -83,7 +83,14 @@ pub fn write(tables: &mut dyn TableLike, path: &str, value: &Value) -> Option<()
             return None;
         }
         if rest.is_empty() {
-            tables.insert(first, Item::Value(value.clone()));
+            // A table at the top of a file stands by itself.
+            tables.insert(
+                first,
+                match value {
+                    Value::InlineTable(own) => Item::Table(own.clone().into_table()),
+                    other => Item::Value(other.clone()),
+                },
+            );
             return Some(());
         }
         let (key, number) = way(tables, first, true).and_then(|mut steps| steps.pop()).unwrap_or((first.into(), None));

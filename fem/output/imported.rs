@@ -3,7 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use super::answer::Answer;
-use super::block::{Block, Cell, Column, Table};
+use super::block::Block;
 use super::quoted;
 use crate::input::InputError;
 use crate::measure::{Imported, Measurements};
@@ -41,6 +41,25 @@ impl ImportAnswer<'_> {
         cells.join(" | ")
     }
 
+    /// The columns, a line for each.
+    fn columns(&self) -> String {
+        let preview = &self.imported.preview;
+        let has_cells = |i: &usize| preview.rows.iter().any(|row| row.get(*i).is_some_and(|cell| !cell.is_empty()));
+        let is_there = |i: &usize| !preview.headings[*i].is_empty() || has_cells(i);
+        let row = |i: usize| [preview.headings[i].clone(), self.cells(i), self.meant(i)];
+        let head = ["column", "first rows", "read as"].map(String::from);
+        let rows: Vec<[String; 3]> =
+            std::iter::once(head).chain((0..preview.headings.len()).filter(is_there).map(row)).collect();
+        let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+        let [first, second] = [width(0), width(1)];
+        let line = |[name, cells, meant]: &[String; 3]| {
+            let padded = |text: &str, width: usize| format!("{text}{}", " ".repeat(width - text.chars().count()));
+            format!("  {}   {}   {meant}\n", padded(name, first), padded(cells, second))
+        };
+        // Apart from what stands above.
+        "\n".to_string() + &rows.iter().map(line).collect::<String>()
+    }
+
     /// What goes on from here.
     fn command(&self, process: &dyn Process, more: &str) -> String {
         let said: String = self.said.iter().map(|own| format!(" {}", quoted(own))).collect();
@@ -50,7 +69,8 @@ impl ImportAnswer<'_> {
     fn taken(&self, process: &dyn Process, taken: &Measurements) -> Vec<Block> {
         let observed: Vec<&str> = taken.observables.iter().map(|o| &*o.name).collect();
         let rows = if taken.len() == 1 { "observation" } else { "observations" };
-        let sentence = format!("read as {}: {} {rows} of {}", process.name(), taken.len(), observed.join(" and "));
+        let sentence =
+            format!("read as measurements of {}: {} {rows} of {}", process.name(), taken.len(), observed.join(" and "));
         let notes = taken.notes.iter().map(|note| Block::Paragraph(note.clone()));
         let keep = self.command(process, " -o measured.csv");
         let commands = vec![
@@ -58,7 +78,7 @@ impl ImportAnswer<'_> {
             "# with a model: fem import FILE --model MODEL.toml --keep NEW.toml keeps the options in it".into(),
         ];
         let after = [Block::Heading("to go on".into()), Block::Commands(commands)];
-        std::iter::once(Block::Sentence(sentence)).chain(notes).chain(after).collect()
+        std::iter::once(Block::Paragraph(sentence)).chain(notes).chain(after).collect()
     }
 
     /// What is asked, for the file alone does not say it.
@@ -76,24 +96,12 @@ impl Answer for ImportAnswer<'_> {
         let Imported { process, others, preview, taken } = self.imported;
         let rows = if preview.count == 1 { "row" } else { "rows" };
         let numbered = if preview.is_headed { "" } else { ", and no headings: columns are named by their numbers" };
-        let mut blocks = vec![Block::Sentence(format!("{}: {} {rows}{numbered}", self.file, preview.count))];
+        let mut blocks = vec![Block::Lines(format!("{}: {} {rows}{numbered}\n", self.file, preview.count))];
         // What was taken tells it with all else.
         if !(preview.told.is_empty() || matches!(taken, Some(Ok(_)))) {
             blocks.push(Block::Paragraph(format!("how it is read: {}", preview.told.join("; "))));
         }
-        let all = 0..preview.headings.len();
-        let widest = |of: &dyn Fn(usize) -> String| all.clone().map(|i| of(i).chars().count()).max().unwrap_or(0);
-        let columns = [
-            Column::wide("column"),
-            Column::remark("first rows", widest(&|i| self.cells(i))),
-            Column::remark("read as", widest(&|i| self.meant(i))),
-        ];
-        let named = |i: usize| {
-            !preview.headings[i].is_empty() || preview.rows.iter().any(|row| row.get(i).is_some_and(|c| !c.is_empty()))
-        };
-        let rows = all.clone().filter(|i| named(*i));
-        let row = |i: usize| [preview.headings[i].clone(), self.cells(i), self.meant(i)].map(Cell::Text).into();
-        blocks.push(Block::Table(Table::new(columns, rows.map(row))));
+        blocks.push(Block::Lines(self.columns()));
         let Some(process) = process else {
             let help = "say what it holds: fem import FILE --process PROCESS; `fem effects` lists processes";
             blocks.push(Block::Caution(format!("no process knows any of these columns; {help}")));

@@ -24,13 +24,14 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Reads them for a process; in a design nothing need have been observed.
+    /// Reads them for a model; in a design nothing need have been observed.
     ///
     /// # Errors
     /// What is wrong with them.
-    pub fn read(&self, process: &dyn Process, is_design: bool) -> Result<Measurements, ask::Error> {
+    pub fn read(&self, model: &Model, is_design: bool) -> Result<Measurements, ask::Error> {
+        let process: &dyn Process = &*model.process;
         let decimal = self.decimal.as_deref().map(|mark| if mark == "," { Decimal::Comma } else { Decimal::Point });
-        let said = Reading::new(&self.columns, decimal)?;
+        let said = Reading::new(&self.columns, decimal)?.over(&model.reading);
         if self.parts.iter().all(|(_, text)| text.is_none()) {
             let paths: Vec<&String> = self.parts.iter().map(|(name, _)| name).collect();
             return Measurements::load_all(&paths, process, &said, is_design).map_err(ask::Error::Data);
@@ -49,7 +50,7 @@ impl Asked {
     /// # Errors
     /// What is wrong with them, or with the model for them.
     pub fn bound(&self, model: &Model, is_design: bool) -> Result<(Model, Measurements), ask::Error> {
-        let measurements = self.read(&*model.process, is_design)?;
+        let measurements = self.read(model, is_design)?;
         Ok((model.with_recorded(&measurements.recorded)?, measurements))
     }
 

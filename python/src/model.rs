@@ -287,7 +287,7 @@ pub fn compare(py: Python, models: Vec<PyRef<Model>>, data: Asked) -> PyResult<A
         refuse_mixed(&models)?;
         let Some(first) = models.first() else { return Ok(Answer::default()) };
         let each = |data: &Data, found| (tables_of_comparison(data, &found), found);
-        let measurements = data.read(&*first.process, false)?;
+        let measurements = data.read(first, false)?;
         let models = with_recorded(&models, &measurements)?;
         let Some(first) = models.first() else { return Ok(Answer::default()) };
         let (compared, measurements) = compare_all(&models, measurements, progress, each)?;
@@ -318,7 +318,7 @@ pub fn report(
         let Some(last) = models.last() else { return Ok(Default::default()) };
         let named = models.iter().flat_map(model::Model::paths).chain(data.iter().flat_map(Asked::files));
         let files = named.filter(|path| path.is_file()).collect();
-        let measurements = data.as_ref().map(|data| data.read(&*last.process, false)).transpose()?;
+        let measurements = data.as_ref().map(|data| data.read(last, false)).transpose()?;
         let models = match &measurements {
             Some(measurements) => with_recorded(&models, measurements)?,
             None => models.clone(),

@@ -41,7 +41,7 @@ pub fn next_part(
         let mut file = Appended::open(&log)?;
         let mut log = Log::read(&log.display().to_string(), file.bytes())?;
         let job = log.job(job.as_deref())?;
-        let measured = data.map(|data| data.read(&*log.history.jobs[job].model.process, false)).transpose()?;
+        let measured = data.map(|data| data.read(&log.history.jobs[job].model, false)).transpose()?;
         let Planned { new_insert, new_set_up, pause, next_job, applied, dry_run } = planned;
         let pause = TIME.to_si(pause);
         let change = Change { insert: new_insert, set_up: new_set_up, pause, job: next_job };

@@ -27,7 +27,12 @@ const ASKED: &[(&str, &str, &[&str])] = &[
         "time,x [m],temperature [degC]\n2026-03-01T10:00:00,0,1\n2026-03-01T10:00:00Z,0,1\n01.03.2026,0,2\n",
         &[],
     ),
-    ("thermal", "time,x [m],temperature [degC]\n01.03.2026 10:00,0,1\n", &[]),
+    // The third of January, or the first of March.
+    ("thermal", "time,x [m],temperature [degC]\n01/03/2026 10:00,0,1\n", &[]),
+    ("axis", "10;+;1.5\n20;+;2.5\n", &[]),
+    ("contour", "angle [Gdeg],deviation [um]\n0,1\n10,2\n", &[]),
+    ("contour", "angle [rad],deviation [um]\n0,1\n10000000,2\n", &[]),
+    ("turning", "x [mm],diameter_error [um]\n20,vor\n40,vor\n60,vor\n80,1\n", &[]),
     ("thermal", "time [s],temperature@x=0.1 [degC]\n0,1\n", &[]),
     ("thermal", "time [s],temperature@z=0.1 m [degC]\n0,1\n", &[]),
     ("thermal", "time [s],x [m],temperature@x=0.1 m [degC]\n0,0,1\n", &[]),
@@ -47,6 +52,56 @@ fn what_cannot_be_told_is_asked() {
     }
     assert_eq!(place.files(), ["data.csv"]);
     insta::assert_snapshot!("asked", page);
+}
+
+/// A file as it is read, before anything is done with it: understood, half understood and not at all.
+#[test]
+fn a_file_is_looked_at_first() {
+    let place = Place::new();
+    place.write(
+        "known.csv",
+        "Bericht 12\nDatum;2026-03-01\n\nWinkel [Grad];Abweichung [µm];Prüfer\n0;1,5;M\u{fc}ller\n10;-2,5;Klein\n",
+    );
+    place.write("half.csv", "Punkt;Richtung;Wert\n10;vor;1.5\n20;vor;2.5\n30;vor;1.0\n");
+    place.write("numbers.csv", "10;20.5\n20;21.5\n30;22\n");
+    let look = |args: &[&str]| {
+        let answer = place.fem(&[&["import"], args].concat());
+        assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+        format!("$ fem import {}\n{}\n", args.join(" "), answer.out)
+    };
+    let page = [
+        look(&["known.csv"]),
+        look(&["half.csv", "--process", "axis"]),
+        look(&["half.csv", "--process", "axis", "--columns", "Punkt=position [mm],Wert=deviation [um]"]),
+        look(&["numbers.csv"]),
+        look(&["half.csv", "--process", "axis", "--json"]),
+    ];
+    insta::assert_snapshot!("looked_at", page.concat());
+    assert_eq!(place.files(), ["half.csv", "known.csv", "numbers.csv"]);
+}
+
+/// What was said once stands in the model, and every command reads it; a file in the program's own form is read as ever.
+#[test]
+fn a_model_keeps_how_its_files_are_read() {
+    let place = Place::new();
+    place.write("axis.toml", model("zeros/axis.toml"));
+    place.write("raw.csv", "Ort;Weg;Wert\n0;vor;0,5\n250;vor;1,5\n250;zur\u{fc}ck;-1,5\n0;zur\u{fc}ck;1,0\n");
+    let columns = ["--columns", "Ort=position [mm],Weg=direction,Wert=deviation [um]"];
+    let keep = ["import", "raw.csv", "--model", "axis.toml", "--keep", "kept.toml"];
+    let kept = place.fem(&[&keep[..], &columns].concat());
+    assert_eq!(kept.status, 0, "{}", kept.err);
+    let said = place.fem(&["compare", "axis.toml", "--with", "raw.csv", columns[0], columns[1]]);
+    let silent = place.fem(&["compare", "kept.toml", "--with", "raw.csv"]);
+    assert_eq!(silent.out.replace("kept", "axis"), said.out, "{}", silent.err);
+    // A workbook's mark and a header line are for files that need them.
+    place.write("own.csv", "position [mm],direction,deviation [um]\n0,+,0.5\n250,+,1.5\n250,-,-1.5\n0,-,1.0\n");
+    let own = place.fem(&["compare", "kept.toml", "--with", "own.csv"]);
+    assert_eq!(own.out.replace("own.csv", "raw.csv"), silent.out, "{}", own.err);
+    assert!(place.read("kept.toml").contains("[data]\ncolumns = \"Ort=position [mm]"), "{}", place.read("kept.toml"));
+    let wrong = place.read("kept.toml").replace("columns", "colums");
+    place.write("wrong.toml", wrong);
+    let wrong = place.fem(&["compare", "wrong.toml", "--with", "raw.csv"]);
+    assert!(wrong.status == 2 && wrong.err.contains("wrong.toml"), "{}", wrong.err);
 }
 
 /// What is imported is read as the file itself was.

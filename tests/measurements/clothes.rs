@@ -144,7 +144,7 @@ fn dressed(table: &Table, seed: u64) -> Dressed {
         let (name, unit) = table.columns[i].clone();
         let own = UNITS.iter().find(|(own, _)| *own == unit).map(|(_, all)| *all);
         let (new, factor) = match own {
-            Some(all) if random.chance(0.4) && !(unit == "degC") => random.pick(all),
+            Some(all) if random.chance(0.4) && unit != "degC" => random.pick(all),
             Some(all) if unit == "degC" => random.pick(all),
             _ => ("", 1.0),
         };

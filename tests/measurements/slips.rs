@@ -17,7 +17,7 @@ fn model() -> Model {
 }
 
 /// The measurements with another text for the reading in a line.
-fn mistyped(line: usize, slip: fn(&str) -> String) -> (String, Measurements) {
+fn mistyped(line: usize, slip: Slip) -> (String, Measurements) {
     let text = std::fs::read_to_string(folder().join("measured.csv")).unwrap();
     let mut lines: Vec<String> = text.lines().map(str::to_string).collect();
     let mut cells: Vec<String> = lines[line - 1].split(',').map(str::to_string).collect();
@@ -39,7 +39,10 @@ fn swapped(cell: &str) -> String {
     digits.into_iter().collect()
 }
 
-const SLIPS: &[(&str, fn(&str) -> String)] = &[
+/// What a typist makes of a text.
+type Slip = fn(&str) -> String;
+
+const SLIPS: &[(&str, Slip)] = &[
     ("two digits stand in the wrong order", swapped),
     ("the decimal point is off by one place", |cell| shifted(cell, 10.0)),
     ("it is a thousand times too small", |cell| shifted(cell, 1e-3)),
