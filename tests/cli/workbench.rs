@@ -249,7 +249,7 @@ fn every_key_of_a_model_is_told_and_lists_grow_and_shrink() {
     for line in [
         "steady_rests = [{ at = \"300 mm\", stiffness = \"60 N/um\" }]\n",
         "pauses = [{ after = 6, duration = \"30 min\" }, { after = 9, duration = \"10 min\" }]\n",
-        "tool = { overhang = \"40 mm\", width = \"25 mm\", height = \"25 mm\", material = \"steel\" }\n",
+        "[tool]\noverhang = \"40 mm\"\nwidth = \"25 mm\"\nheight = \"25 mm\"\nmaterial = \"steel\"\n",
         "material = \"brass\"\n",
         "# ISO 286-1: 50 mm within 8 um either way\n",
     ] {
