@@ -21,7 +21,7 @@ const MISTAKES: &[(f64, &str)] = &[
 /// Part of the difference that may be left where a mistake explains it.
 const EXPLAINED: f64 = 0.1;
 
-/// The problem of readings whose middle lies farther from what the model says than any such difference is.
+/// The problem of readings whose middle lies farther from what the drawing says than any such difference is.
 pub fn implausible(model: &Model, measurements: &Measurements, rows: &Rows) -> Option<Problem> {
     for (position, observable) in model.process.observables().iter().enumerate() {
         let own: Vec<usize> = (0..rows.len()).filter(|row| rows.observable[*row] == position).collect();
@@ -30,7 +30,14 @@ pub fn implausible(model: &Model, measurements: &Measurements, rows: &Rows) -> O
         if own.is_empty() || !observable.largest.is_finite() {
             continue;
         }
-        let Ok(predicted) = model.forward().observe(&rows.some(&own)) else { continue };
+        // An error is nought where all is as the drawing says; all else is what the ideal system makes.
+        let predicted = match observable.error_kind() == observable.kind {
+            true => vec![0.0; own.len()],
+            false => match model.system.with_effects(&[]).observe(&rows.some(&own)) {
+                Ok(predicted) => predicted,
+                Err(_) => continue,
+            },
+        };
         let off = |factor: f64| {
             let differences =
                 own.iter().zip(&predicted).map(|(row, p)| (factor * measurements.observed[*row] - p).abs());
@@ -44,7 +51,7 @@ pub fn implausible(model: &Model, measurements: &Measurements, rows: &Rows) -> O
         let is_meant = |(factor, _): &&(f64, &str)| off(*factor).is_some_and(|left| left < EXPLAINED * difference);
         let meant = MISTAKES.iter().find(is_meant).map_or(String::new(), |(_, what)| format!("; as if {what}"));
         let problem = Problem::new(format!(
-            "half of the readings of `{name}` lie more than {} from what the model says, as {shown} in {}{meant}",
+            "half of the readings of `{name}` lie more than {} from what the drawing says, as {shown} in {}{meant}",
             observable.error_kind().format(difference),
             measurements.place(row),
         ));
