@@ -286,13 +286,14 @@ pub fn folded(word: &str) -> String {
     word.to_lowercase().replace('ß', "ss").chars().map(letter).collect()
 }
 
-/// Number of different words in a text that mean columns in some language.
+/// Number of different words in a text that mean columns in some language, and of signs of units.
 pub fn count(text: &str) -> usize {
+    let signs = ['µ', '°'].into_iter().filter(|sign| text.contains(*sign)).count();
     let is_between = |c: char| !(c.is_alphabetic() || c == '_' || c == ' ');
     let text = folded(text);
     let name = |cell: &str| cell.split(" in ").next().unwrap_or_default().trim().replace(' ', "_");
     let cells: BTreeSet<String> = text.split(is_between).map(name).collect();
-    cells.iter().filter(|cell| SAME.iter().any(|(_, words)| words.contains(&&***cell))).count()
+    signs + cells.iter().filter(|cell| SAME.iter().any(|(_, words)| words.contains(&&***cell))).count()
 }
 
 /// The column of a process that a word of another language means; `None` where the process knows none of those, or several.
