@@ -35,11 +35,12 @@ pub fn import(args: &args::Import) -> Result<(), Error> {
     }
     if let Some(output) = &args.output {
         guard.check(output)?;
-        let Some(process) = process.or(look(&args.file, None, &said)?.process) else {
+        let found = look(&args.file, process, &said)?;
+        let (Some(process), Some(taken)) = (found.process, found.taken) else {
             let problem = Problem::new("of which process the file is cannot be told by its columns");
             return Err(Error::from(problem.help("say it: --process PROCESS; `fem effects` lists all")));
         };
-        return written(args, (process, &said), output, guard);
+        return written(args, (process, &taken?), output, guard);
     }
     let imported = look(&args.file, process, &said)?;
     let file = args.file.display().to_string();
@@ -61,12 +62,11 @@ fn named(name: &str) -> Result<&'static dyn Process, Error> {
 /// Writes what was taken of the file.
 fn written(
     args: &args::Import,
-    (process, said): (&dyn Process, &Reading),
+    (process, taken): (&dyn Process, &Measurements),
     output: &std::path::Path,
     guard: Guard,
 ) -> Result<(), Error> {
-    let taken = Measurements::load_as(&args.file, process, said)?;
-    let text = measurements(&taken, process, &format!("Taken from {}.", taken.name));
+    let text = measurements(taken, process, &format!("Taken from {}.", taken.name));
     files::write(output, text.as_bytes(), guard)?;
     notes(&taken.notes);
     let observed: Vec<&str> = taken.observables.iter().map(|o| &*o.name).collect();

@@ -23,7 +23,7 @@ use crate::noise::{Acts, Term, beyond_f};
 use crate::positioning::{
     Approach, Check, Evaluation, Law, Measures, PitchErrors, Reversal, Steps, Table, Target, Tolerance,
 };
-use crate::process::{Failure, ForwardModel, Positioning, System};
+use crate::process::{Controller, Failure, ForwardModel, Positioning, System};
 use crate::progress::Progress;
 use crate::units::Knowledge;
 use std::sync::Arc;
@@ -167,7 +167,8 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
     let deviations_of = |readings: Vec<f64>| readings.into_iter().map(|reading| reading - zero).collect::<Vec<f64>>();
     let observed = deviations_of(kept.iter().map(|row| data.observed[*row]).collect());
     let evaluation = Evaluation::of(&approaches, &observed);
-    let (tolerance, resolution, active) = (axis.tolerance(), axis.resolution(), axis.active());
+    let Controller { resolution, active, steps } = axis.controller();
+    let (tolerance, resolution, active, steps) = (axis.tolerance(), *resolution, active.as_ref(), *steps);
     let measures = axis.measures();
     let alone = active.map(|active| Evaluation::of(&approaches, &active.removed(&approaches, &observed)));
     let between = axis.between(&data.rows);
@@ -206,13 +207,13 @@ pub fn compensate(data: &Data, axis: &dyn Positioning) -> Result<Compensation, F
         pitch: PitchErrors::of(&evaluation),
         lost_motion: LostMotion::of(alone.as_ref().unwrap_or(&evaluation), |x| axis.screw_compliance(x)),
         active: active.cloned(),
-        steps: axis.steps(),
+        steps,
         causes: causes::causes((&approaches, &observed), &evaluation, measures, feasibility),
         cautions: [
             of_instrument(data),
             open,
             cautions(&evaluation, &schemes[0], agreement, &tolerance),
-            axis.steps().and_then(|steps| of_counts(&schemes[0].entered, steps)).into_iter().collect(),
+            steps.and_then(|steps| of_counts(&schemes[0].entered, steps)).into_iter().collect(),
         ]
         .concat(),
         wrong_readings,

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use super::instrument::{self, text_of_rtx};
 use super::reading::Reading;
-use super::sheet::Parted;
+use super::sheet::{self, Parted, Sheet};
 use super::{layout, lexicon, workbook};
-use crate::input::{InputError, Source};
+use crate::input::{InputError, Problem, Source};
 
 /// Largest measurement file, bytes: some ten million rows.
 const LARGEST_FILE: u64 = 500_000_000;
@@ -20,6 +20,16 @@ pub struct Exported {
     pub told: Vec<String>,
     /// Who parted its columns.
     pub parted: Parted,
+}
+
+impl Exported {
+    /// The cells of the table that it holds.
+    ///
+    /// # Errors
+    /// It is no table.
+    pub(super) fn sheet(&self, said: &Reading) -> Result<Sheet, Problem> {
+        instrument::read(&self.source).unwrap_or_else(|| sheet::read(&self.source, self.parted, said.headings))
+    }
 }
 
 /// Opens a file.

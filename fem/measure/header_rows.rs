@@ -1,6 +1,6 @@
 //! Headings in several rows: names under groups, names in two languages, what an instrument says above its table.
 
-use super::heading::{self, Heading, parts};
+use super::heading::{self, parts};
 use super::layout;
 use super::reading::Reading;
 use super::sheet::Sheet;
@@ -24,8 +24,8 @@ pub fn settle(sheet: &mut Sheet, vocabulary: Vocabulary, said: &Reading) {
         sheet.header = under_groups(rows[best - 1], rows[best], vocabulary, said);
         (0..best).for_each(|_| sheet.records.leave_first_out());
     }
-    for again in texts.iter().skip(best).take_while(|cells| understood(cells) > 0 && !are_units(cells)) {
-        debug_assert!(again.len() <= sheet.header.len());
+    let is_again = |cells: &&Vec<String>| understood(cells) > 0 && !are_units(cells);
+    for _ in texts.iter().skip(best).take_while(is_again) {
         sheet.told.push(format!("line {}, headings once more, left out", sheet.records.line(0)));
         sheet.records.leave_first_out();
     }
@@ -49,16 +49,11 @@ fn texts(sheet: &Sheet) -> Vec<Vec<String>> {
 }
 
 fn are_units(cells: &[String]) -> bool {
-    cells.iter().all(|cell| matches!(&**cell, "" | "-") || heading::is_unit(cell.trim_matches(['[', ']', '(', ')'])))
+    cells.iter().all(|cell| matches!(&**cell, "" | "-") || heading::is_unit(heading::bare_unit(cell)))
 }
 
 fn is_understood(cell: &str, vocabulary: Vocabulary, said: &Reading) -> bool {
-    let read = |cell| Heading::read(cell, vocabulary, &[]).is_ok_and(|own| is_a_column(own, vocabulary));
-    said.of(cell).is_some() || read(cell)
-}
-
-fn is_a_column(heading: Heading, vocabulary: Vocabulary) -> bool {
-    heading.is_known || worded::read(&heading, vocabulary).is_some()
+    said.of(cell).is_some() || worded::heading(cell, vocabulary, &[]).is_ok_and(|own| own.is_known)
 }
 
 /// The lower row, each heading with the group that stands above it where both together mean more.
@@ -74,7 +69,7 @@ fn under_groups(upper: &[String], lower: &[String], vocabulary: Vocabulary, said
         let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
         let whole = format!("{name} {group}{unit}");
         let means_more =
-            || Heading::read(&whole, vocabulary, &[]).is_ok_and(|own| worded::read(&own, vocabulary).is_some());
+            || worded::heading(&whole, vocabulary, &[]).is_ok_and(|own| own.is_known && !own.at.is_empty());
         all.push(match own.is_empty() {
             true if is_understood(above, vocabulary, said) => above.clone(),
             false if said.of(own).is_none() && means_more() => whole,

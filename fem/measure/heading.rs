@@ -153,6 +153,11 @@ pub fn parts(cell: &str, is_known: impl Fn(&str) -> bool) -> (&str, &str) {
     (name.trim(), unit.trim())
 }
 
+/// The unit of a cell that holds a unit alone, without the brackets around it.
+pub fn bare_unit(cell: &str) -> &str {
+    cell.trim_matches(['[', ']', '(', ')']).trim()
+}
+
 /// Whether a text is a unit, and not a number: a file of whole numbers has no units in its first row.
 pub fn is_unit(text: &str) -> bool {
     text.contains(|c: char| c.is_alphabetic() || matches!(c, '°' | '℃')) && Unit::parse(text).is_ok()

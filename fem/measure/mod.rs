@@ -33,6 +33,7 @@ mod words;
 mod workbook;
 
 pub use decimal::Decimal;
+pub use exported::{Exported, open};
 pub use join::{FILE, FILE_WORD, MeasuredFile, grouping_name};
 pub use neighbours::of_neighbours;
 pub use ordinals::Ordinals;

@@ -51,9 +51,8 @@ fn digits(text: &str, count: usize) -> Option<i128> {
 /// Astronomical Almanac, 3rd ed., ch. 15).
 fn days(date: &str) -> Option<i128> {
     // 01.03.2026 has the day in front; with strokes it could be the month.
-    let is_german = date.contains('.');
-    let mut parts: Box<dyn Iterator<Item = &str>> =
-        if is_german { Box::new(date.rsplit('.')) } else { Box::new(date.split('-')) };
+    let parts: Vec<&str> = if date.contains('.') { date.rsplit('.').collect() } else { date.split('-').collect() };
+    let mut parts = parts.into_iter();
     let (year, month) = (digits(parts.next()?, 4)?, digits(parts.next()?, 2)?);
     let day = digits(parts.next()?, 2)?;
     let is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);

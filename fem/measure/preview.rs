@@ -1,11 +1,9 @@
 //! The first rows of a file as it stands, and what its columns are read as, for somebody who may have to say it.
 
-use std::path::Path;
-
-use super::heading::Heading;
+use super::exported::Exported;
 use super::reading::{self, Reading};
 use super::vocabulary::Vocabulary;
-use super::{Measurements, exported, header_rows, instrument, sheet, worded};
+use super::{Measurements, header_rows, worded};
 use crate::input::{InputError, name_and_unit};
 use crate::process::Process;
 
@@ -48,12 +46,9 @@ impl Preview {
     /// Looks at a file, of a process where that is known.
     ///
     /// # Errors
-    /// It cannot be read, or is no table.
-    pub fn of(path: &Path, process: Option<&dyn Process>, said: &Reading) -> Result<Self, InputError> {
-        let file = exported::open(path, said)?;
-        let sheet =
-            instrument::read(&file.source).unwrap_or_else(|| sheet::read(&file.source, file.parted, said.headings));
-        let mut sheet = sheet.map_err(|problem| InputError::one(file.source.clone(), problem))?;
+    /// It is no table.
+    pub fn of(file: &Exported, process: Option<&dyn Process>, said: &Reading) -> Result<Self, InputError> {
+        let mut sheet = file.sheet(said).map_err(|problem| InputError::one(file.source.clone(), problem))?;
         let vocabulary = process.map(Vocabulary::of);
         if let Some(vocabulary) = vocabulary {
             header_rows::settle(&mut sheet, vocabulary, said);
@@ -68,7 +63,7 @@ impl Preview {
             is_headed: sheet.is_headed,
             rows,
             count: sheet.records.len(),
-            told: file.told.into_iter().chain(sheet.told).collect(),
+            told: file.told.iter().cloned().chain(sheet.told).collect(),
         })
     }
 }
@@ -78,8 +73,7 @@ fn meant(cell: &str, names: &[String], vocabulary: Vocabulary, said: &Reading) -
     if let Some(to) = said.of(cell) {
         return Some(reading::said(cell, to, vocabulary).ok()?.map_or("-".into(), |own| own.whole(vocabulary)));
     }
-    let own = Heading::read(cell, vocabulary, names).ok()?;
-    let own = worded::read(&own, vocabulary).unwrap_or(own);
+    let own = worded::heading(cell, vocabulary, names).ok()?;
     own.is_known.then(|| own.whole(vocabulary))
 }
 

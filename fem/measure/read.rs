@@ -31,7 +31,15 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn load_as(path: &Path, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(exported::open(path, said)?, process, Purpose::Measured, said)
+        read(&exported::open(path, said)?, process, Purpose::Measured, said)
+    }
+
+    /// Reads measurements of a process from a file that is open already.
+    ///
+    /// # Errors
+    /// The file is wrong; the error lists every problem with its line.
+    pub fn of_file(file: &Exported, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
+        read(file, process, Purpose::Measured, said)
     }
 
     /// Reads a design, a file of planned rows in which nothing need have been observed yet.
@@ -39,7 +47,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn load_design(path: &Path, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(exported::open(path, said)?, process, Purpose::Design, said)
+        read(&exported::open(path, said)?, process, Purpose::Design, said)
     }
 
     /// Reads a design from the text of a file.
@@ -47,7 +55,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn parse_design(source: Source, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(exported::of_text(source), process, Purpose::Design, said)
+        read(&exported::of_text(source), process, Purpose::Design, said)
     }
 
     /// Reads measurements from the text of a file.
@@ -63,15 +71,15 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn parse_as(source: Source, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(exported::of_text(source), process, Purpose::Measured, said)
+        read(&exported::of_text(source), process, Purpose::Measured, said)
     }
 }
 
-fn read(file: Exported, process: &dyn Process, purpose: Purpose, said: &Reading) -> Result<Measurements, InputError> {
+fn read(file: &Exported, process: &dyn Process, purpose: Purpose, said: &Reading) -> Result<Measurements, InputError> {
     let source = file.source.clone();
     let vocabulary = Vocabulary::of(process);
     let refuse = |problems| InputError::new(source.clone(), problems);
-    let file = table::read(&file, vocabulary, said).map_err(refuse)?;
+    let file = table::read(file, vocabulary, said).map_err(refuse)?;
     let of_header = |problem: Problem| problem.at(Some(file.place.clone()));
     let header = header::read(&file.header, vocabulary, purpose)
         .map_err(|problems| refuse(problems.into_iter().map(of_header).collect()))?;

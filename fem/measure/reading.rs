@@ -84,7 +84,7 @@ impl Reading {
     }
 
     /// Headings and what each is to be, those that are kept behind those that were said.
-    pub fn all_columns(&self) -> Vec<(String, String)> {
+    fn all_columns(&self) -> Vec<(String, String)> {
         let kept = self.kept.iter().flat_map(|kept| kept.all_columns());
         let is_new = |(from, _): &(String, String)| self.columns.iter().all(|(own, _)| own != from);
         self.columns.iter().cloned().chain(kept.filter(is_new)).collect()
@@ -113,7 +113,7 @@ impl Reading {
             && self.columns.is_empty()
     }
 
-    /// What a model keeps, as if somebody had said it now.
+    /// The same with the line of headings that a model keeps as if somebody had said it now; `None` where somebody said one.
     pub(super) fn kept_as_said(&self) -> Option<Self> {
         self.kept
             .as_ref()

@@ -8,9 +8,9 @@ use super::exported::Exported;
 use super::heading::{self, Heading};
 use super::reading::{self, Reading};
 use super::records::{Records, Refused};
-use super::sheet::{self, Sheet};
+use super::sheet::Sheet;
 use super::vocabulary::Vocabulary;
-use super::{actual, clock, decimal, header, header_rows, instrument, stacked, wide, worded, words};
+use super::{actual, clock, decimal, header, header_rows, stacked, wide, worded, words};
 use crate::input::{Problem, did_you_mean};
 use crate::process::Holds;
 use crate::units::{TIME, plain_unit};
@@ -51,10 +51,8 @@ pub fn read(file: &Exported, vocabulary: Vocabulary, said: &Reading) -> Result<T
 }
 
 fn read_as(file: &Exported, vocabulary: Vocabulary, said: &Reading) -> Result<Table, Vec<Problem>> {
-    let source = &file.source;
     let mut told = file.told.clone();
-    let sheet = instrument::read(source).unwrap_or_else(|| sheet::read(source, file.parted, said.headings));
-    let mut sheet = sheet.map_err(|problem| vec![problem])?;
+    let mut sheet = file.sheet(said).map_err(|problem| vec![problem])?;
     header_rows::settle(&mut sheet, vocabulary, said);
     let place = sheet.place.clone();
     let of_header = |problem: Problem| problem.at(Some(place.clone()));
@@ -118,12 +116,12 @@ fn headings(sheet: &mut Sheet, vocabulary: Vocabulary, said: &Reading) -> Result
         let spelled = if sheet.separator == ',' { cell.clone() } else { cell.replace(',', ".") };
         let read = match said.of(cell) {
             Some(to) => reading::said(cell, to, vocabulary),
-            None if cell.contains('@') => Heading::read(&spelled, vocabulary, &sheet.header).map(Some),
-            None => Heading::read(cell, vocabulary, &names(&sheet.header)).map(Some),
+            None if cell.contains('@') => worded::heading(&spelled, vocabulary, &sheet.header).map(Some),
+            None => worded::heading(cell, vocabulary, &names(&sheet.header)).map(Some),
         };
         match read {
             Ok(Some(heading)) => {
-                headings.push(worded::read(&heading, vocabulary).unwrap_or(heading));
+                headings.push(heading);
                 kept.push(column);
             }
             Ok(None) => {}
@@ -169,7 +167,7 @@ fn units(headings: &mut [Heading], sheet: &mut Sheet, told: &mut Vec<String>) ->
         return Ok(());
     }
     let first = sheet.records.get(0);
-    let cells: Vec<&str> = first.iter().map(|cell| cell.trim_matches(['[', ']', '(', ')']).trim()).collect();
+    let cells: Vec<&str> = first.iter().map(heading::bare_unit).collect();
     let is_unit = |cell: &&str| heading::is_unit(cell);
     let is_blank = |cell: &str| matches!(cell, "" | "-");
     let known = || headings.iter().zip(&cells).filter(|(heading, _)| heading.is_known);

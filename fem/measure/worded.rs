@@ -3,15 +3,25 @@
 use super::heading::{Condition, Heading, plain};
 use super::vocabulary::Vocabulary;
 use super::{lexicon, words};
+use crate::input::Problem;
 use crate::process::Holds;
 use crate::units::Unit;
 
 /// Most words of which a name is made.
 const LONGEST: usize = 4;
 
+/// Reads a heading in any spelling, in words too.
+///
+/// # Errors
+/// As of [`Heading::read`].
+pub fn heading(cell: &str, vocabulary: Vocabulary, others: &[String]) -> Result<Heading, Problem> {
+    let own = Heading::read(cell, vocabulary, others)?;
+    Ok(read(&own, vocabulary).unwrap_or(own))
+}
+
 /// Reads a heading that as a whole is no column: the observable, by its name or by the only one that its unit measures, at
 /// what the other words say. `None` where a word says nothing of the kind.
-pub fn read(heading: &Heading, vocabulary: Vocabulary) -> Option<Heading> {
+fn read(heading: &Heading, vocabulary: Vocabulary) -> Option<Heading> {
     let name = plain(&heading.name);
     let words: Vec<String> = name.split('_').flat_map(parted).collect();
     let mut found = Found { observable: None, at: Vec::new() };

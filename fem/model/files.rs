@@ -28,11 +28,11 @@ pub fn of_document(source: &Source, document: &toml_edit::Table) -> Result<Readi
 /// The edit that keeps in a model how its files are read, with what it kept before.
 pub fn kept(reading: &Reading) -> Edit {
     let mut keys: Vec<(&str, String)> = Vec::new();
-    let columns: Vec<String> = reading.all_columns().iter().map(|(from, to)| format!("{from}={to}")).collect();
+    let whole = reading.with_kept();
+    let columns: Vec<String> = whole.columns().iter().map(|(from, to)| format!("{from}={to}")).collect();
     if !columns.is_empty() {
         keys.push(("columns", columns.join(",")));
     }
-    let whole = reading.with_kept();
     let mark = whole.decimal.and_then(|mark| MARKS.iter().find(|(_, own)| *own == mark));
     keys.extend(mark.map(|(word, _)| ("decimal", word.to_string())));
     keys.extend(whole.headings.map(|line| ("header", line.unwrap_or(0).to_string())));

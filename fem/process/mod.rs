@@ -62,7 +62,7 @@ pub use observation::{
     Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows,
 };
 pub use polyline::on_lines;
-pub use positioning::Positioning;
+pub use positioning::{Positioning, finer};
 pub use report::{Animation, Column, Plot, RunReport, Table};
 pub use requirement::{Characteristic, Requirement};
 pub use scene::{Arrow, Body, Ends, Frame, Role, Skin, SkinPoint, View};

@@ -1,7 +1,8 @@
 //! Interface to processes whose observations are positioning tests, so that `compensate` need not know them by name.
 
 use super::Rows;
-use crate::positioning::{Approach, Measures, Steps, Table, Tolerance};
+use super::controller::Controller;
+use crate::positioning::{Approach, Measures, Tolerance};
 
 /// A system that moves to targets from either side. SI units: m of a linear axis, rad of a rotary one.
 pub trait Positioning {
@@ -20,14 +21,8 @@ pub trait Positioning {
     /// Tolerances of the axis.
     fn tolerance(&self) -> Tolerance;
 
-    /// To which a controller rounds its compensation; 0 for none.
-    fn resolution(&self) -> f64;
-
-    /// Table by which the controller compensated already during the test; `None` for nothing.
-    fn active(&self) -> Option<&Table>;
-
-    /// Points at which the controller takes increments, where they are told.
-    fn steps(&self) -> Option<Steps>;
+    /// Compensation in the controller of the axis.
+    fn controller(&self) -> &Controller;
 
     /// Reading where the axis stands right; `None` where the model does not say.
     fn reading_at_zero(&self) -> Option<f64>;
@@ -35,4 +30,15 @@ pub trait Positioning {
     /// How far the drive gives way at a position by its own length, m/N: the part of elastic lost motion
     /// that varies along the travel. `None` where no part does.
     fn screw_compliance(&self, position: f64) -> Option<f64>;
+}
+
+/// Places from each target to the next, close enough to show what lies between them.
+pub fn finer(targets: &[f64]) -> Vec<f64> {
+    /// Places from one target to the next.
+    const BETWEEN: usize = 24;
+    let fine = |w: &[f64]| {
+        let [from, to] = [w[0], w[1]];
+        (0..BETWEEN).map(move |i| from + (to - from) * i as f64 / BETWEEN as f64)
+    };
+    targets.windows(2).flat_map(fine).chain(targets.last().copied()).collect()
 }

@@ -8,7 +8,7 @@ use serde_json::{Value as Json, json};
 use super::bench::Bench;
 use super::refusal::Refusal;
 use super::session::Session;
-use crate::measure::{Decimal, Measurements, Preview, Reading};
+use crate::measure::{Decimal, Measurements, Preview, Reading, open};
 use crate::model::ModelProcess;
 use crate::output::quoted;
 use crate::process::Process;
@@ -29,10 +29,11 @@ impl Previewed {
     /// # Errors
     /// It is no table.
     pub fn read(&self) -> Result<Json, Refusal> {
-        let own =
-            Preview::of(&self.path, self.process.as_ref().map(|own| &**own as &dyn Process), &Reading::default())?;
+        let said = Reading::default();
+        let file = open(&self.path, &said)?;
+        let own = Preview::of(&file, self.process.as_ref().map(|own| &**own as &dyn Process), &said)?;
         let process = self.process.as_ref().filter(|_| own.count < MANY);
-        let fits = process.map(|process| Measurements::load(&self.path, &**process).is_ok());
+        let fits = process.map(|process| Measurements::of_file(&file, &**process, &said).is_ok());
         Ok(json!({
             "file": self.name,
             "headings": own.headings,

@@ -1,9 +1,10 @@
 //! Deviations as they are measured: which target, from which side, in which run, when.
 
 use super::setup::Setup;
-use crate::positioning::{Approach, Direction, Measures, Steps, Table, Tolerance};
+use crate::positioning::{Approach, Direction, Measures, Tolerance};
 use crate::process::{
-    Absent, CandidateExperiment, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows, Values,
+    Absent, CandidateExperiment, Controller, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows,
+    Values, finer,
 };
 use crate::units::{FORCE, LENGTH, MICRO, TIME};
 
@@ -41,8 +42,6 @@ const DIRECTIONS: &[&str] = &[Direction::Forward.sign(), Direction::Backward.sig
 /// Position in [`DIRECTIONS`].
 const BACKWARD: f64 = 1.0;
 
-/// Steps between two targets where the model is asked for what lies between them.
-const BETWEEN: usize = 24;
 /// Long enough for an axis to be warm through, s.
 const WARM: f64 = 2.0 * 3600.0;
 /// Targets of a candidate experiment, at most.
@@ -222,11 +221,7 @@ impl Positioning for Setup {
     fn between(&self, of: &Rows) -> Rows {
         let targets = targets(of);
         let time = of.columns[TIME_OF_ROW].iter().sum::<f64>() / of.len().max(1) as f64;
-        let fine = |w: &[f64]| {
-            let [from, to] = [w[0], w[1]];
-            (0..BETWEEN).map(move |i| from + (to - from) * i as f64 / BETWEEN as f64)
-        };
-        let places: Vec<f64> = targets.windows(2).flat_map(fine).chain(targets.last().copied()).collect();
+        let places = finer(&targets);
         rows(Direction::BOTH.iter().flat_map(|d| places.iter().map(|x| (*x, *d, 1.0, time))))
     }
 
@@ -234,16 +229,8 @@ impl Positioning for Setup {
         self.tolerance
     }
 
-    fn resolution(&self) -> f64 {
-        self.controller.resolution
-    }
-
-    fn active(&self) -> Option<&Table> {
-        self.controller.active.as_ref()
-    }
-
-    fn steps(&self) -> Option<Steps> {
-        self.controller.steps
+    fn controller(&self) -> &Controller {
+        &self.controller
     }
 
     fn reading_at_zero(&self) -> Option<f64> {

@@ -1,8 +1,10 @@
 //! Deviations as they are measured: which angle, from which side, in which run, when, under which torque.
 
 use super::setup::Setup;
-use crate::positioning::{Approach, Direction, Measures, Steps, Table, Tolerance};
-use crate::process::{Absent, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows, Values};
+use crate::positioning::{Approach, Direction, Measures, Tolerance};
+use crate::process::{
+    Absent, Controller, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows, Values, finer,
+};
 use crate::units::{ANGLE, SMALL_ANGLE, TIME, TORQUE};
 
 /// Actual less commanded angle.
@@ -39,9 +41,6 @@ pub const COORDINATES: &[Coordinate] = &[
 const DIRECTIONS: &[&str] = &[Direction::Forward.sign(), Direction::Backward.sign()];
 /// Position in [`DIRECTIONS`].
 pub const BACKWARD: f64 = 1.0;
-
-/// Steps between two targets where the model is asked for what lies between them.
-const BETWEEN: usize = 24;
 
 /// The approach of a row.
 pub fn approach(rows: &Rows, row: usize) -> Approach {
@@ -153,11 +152,7 @@ impl Positioning for Setup {
     fn between(&self, of: &Rows) -> Rows {
         let targets = targets(of);
         let time = of.columns[TIME_OF_ROW].iter().sum::<f64>() / of.len().max(1) as f64;
-        let fine = |w: &[f64]| {
-            let [from, to] = [w[0], w[1]];
-            (0..BETWEEN).map(move |i| from + (to - from) * i as f64 / BETWEEN as f64)
-        };
-        let places: Vec<f64> = targets.windows(2).flat_map(fine).chain(targets.last().copied()).collect();
+        let places = finer(&targets);
         let both = Direction::BOTH.iter().flat_map(|d| places.iter().map(|x| (*x, *d, 1.0, time)));
         rows(both, self.test.torque)
     }
@@ -166,16 +161,8 @@ impl Positioning for Setup {
         self.tolerance
     }
 
-    fn resolution(&self) -> f64 {
-        self.controller.resolution
-    }
-
-    fn active(&self) -> Option<&Table> {
-        self.controller.active.as_ref()
-    }
-
-    fn steps(&self) -> Option<Steps> {
-        self.controller.steps
+    fn controller(&self) -> &Controller {
+        &self.controller
     }
 
     fn reading_at_zero(&self) -> Option<f64> {
