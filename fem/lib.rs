@@ -74,6 +74,7 @@
 //     series                the ring by Fourier series, which the finite elements are held against
 //     solve                 shaft under a travelling force, equilibrium of joints, sparse check, heat; plane bodies
 //     positioning           positioning tests by ISO 230-2, compensation tables
+//     roundness             what instruments show of round surfaces: contacts and filters
 //     tolerance             limits that a drawing sets: ISO 286-1, either way, both
 //     gcode                 programs of machines: what they command, and with other words
 //     process               the frame of a process: its definition, coordinates, effects, reports
@@ -151,6 +152,8 @@ pub mod processes;
 pub mod progress;
 #[doc(hidden)]
 pub mod remedy;
+#[doc(hidden)]
+pub mod roundness;
 #[doc(hidden)]
 pub mod series;
 #[doc(hidden)]

@@ -18,8 +18,13 @@ pub fn compensate(data: &Data) -> Result<Compensation, Error> {
             .into());
     };
     if let Some(pulled) = (0..data.len()).find(|row| !axis.is_free(&data.rows, *row)) {
-        let problem = Problem::new(format!("line {}: a force pulled the slide", data.line(pulled)));
-        return Err(problem.help("a table is for the axis as it works: leave out the rows with a `pull`").into());
+        let [words, column] = match axis.measures().is_rotary() {
+            true => ["another torque than the test's turned the axis", "torque"],
+            false => ["a force pulled the slide", "pull"],
+        };
+        let problem = Problem::new(format!("line {}: {words}", data.line(pulled)));
+        let help = format!("a table is for the axis as it works: leave out the rows with such a `{column}`");
+        return Err(problem.help(help).into());
     }
     Ok(crate::compensate::compensate(data, axis)?)
 }

@@ -10,7 +10,6 @@ use crate::model::Model;
 use crate::process::range;
 use crate::progress::Progress;
 use crate::remedy::{NoRemedy, Remedies};
-use crate::units::MICRO;
 
 /// What to do about a model whose values are known: to correct its command, or else to change something; where a program is
 /// given, by it, with blocks put between where it `adds` them.
@@ -80,7 +79,9 @@ pub fn remedies(model: &Model, limit: Option<f64>, is_forced: bool, progress: &P
 
 /// Refuses a model that failed against the measurements that it was fitted to, unless that is known.
 fn require_fit(model: &Model, is_forced: bool) -> Result<(), Problem> {
-    let Some(failed) = failed(model.together.unexplained()).filter(|_| !is_forced) else { return Ok(()) };
+    let Some(failed) = failed(model.together.unexplained(), &model.process.size_kind()).filter(|_| !is_forced) else {
+        return Ok(());
+    };
     let problem = Problem::new(format!("{} {failed}", model.source.name));
     Err(problem.help(
         "`fem diagnose` looks for what is missing; --despite-failure goes on with it all the same, and says so in the answer",
@@ -92,7 +93,8 @@ fn within_limits(model: &Model, found: &Correction) -> Result<(), Problem> {
     let (low, high) = range(found.command.changes().iter().copied());
     let most = high.max(-low);
     let Some(largest) = model.largest_change.filter(|largest| most > *largest) else { return Ok(()) };
-    let (most, largest) = (MICRO.shown(most), MICRO.shown(largest));
+    let kind = model.process.size_kind();
+    let (most, largest) = (kind.shown(most), kind.shown(largest));
     let problem = Problem::new(format!(
         "the {} would have to change by up to {most:.1}, and may by {largest:.1}: `largest` in [correction]",
         found.commanded.words

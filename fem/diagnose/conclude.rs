@@ -102,16 +102,16 @@ pub fn conclude(
             (goodness, verdict::features(base))
         }
     };
-    if of_measurement.iter().any(Missing::describes) {
-        missing.splice(0..0, of_measurement);
+    let has_terms = !of_measurement.is_empty();
+    missing.splice(0..0, of_measurement);
+    if missing.iter().any(Missing::describes) {
         verdict = Verdict::beside_what_describes(&missing);
-    } else if !of_measurement.is_empty() {
+    } else if has_terms {
         verdict = match verdict {
             Verdict::Adequate => Verdict::MissingEffect,
             Verdict::Unexplained => Verdict::PartlyExplained,
             other => other,
         };
-        missing.splice(0..0, of_measurement);
     }
     // What is said here must hold for the model that is written with it.
     let mut suspects = Vec::new();

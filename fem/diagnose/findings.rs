@@ -1,12 +1,12 @@
 //! Findings about the measurement: its missing effects in the best model, and outlying rows.
 
 use super::candidate_model::CandidateModel;
-use super::diagnosis::{Cause, Missing, Outlier};
+use super::diagnosis::{Cause, Diagnosis, Missing, Outlier};
 use super::doubtful;
 use super::instrument;
 use super::largest_change::LargestChange;
 use super::posterior::Posterior;
-use super::verdict::GoodnessOfFit;
+use super::verdict::{GoodnessOfFit, Verdict};
 use crate::fit::{StoppingCriterion, minimise, size_estimate};
 use crate::input::Name;
 use crate::measure::{Repeats, grouping_name};
@@ -89,6 +89,19 @@ pub fn missing_effects(
 /// Why zeros that follow a column are not those of an instrument.
 fn follows_text(column: &Name) -> String {
     format!("it follows `{column}`, and what follows a column is no chance")
+}
+
+/// Says of the curve of a sensor's characteristic that it may be one of what is measured: rows that the sensor has shown
+/// cannot tell the two, so that it is described and not explained.
+pub fn doubt_sensors(diagnosis: &mut Diagnosis) {
+    let is_curve = |m: &&mut Missing| m.effect.parameters.iter().any(|p| p.over.is_some());
+    let mut all = diagnosis.missing.iter_mut().filter(is_curve).peekable();
+    if all.peek().is_none() {
+        return;
+    }
+    let text = "it may be a law of what is measured: only masters of known size tell that from the sensor";
+    all.for_each(|missing| missing.doubt = Some(text.into()));
+    diagnosis.verdict = Verdict::beside_what_describes(&diagnosis.missing);
 }
 
 /// Cause behind an effect that was found among the candidates.

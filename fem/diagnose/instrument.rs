@@ -19,6 +19,8 @@ const QUICK: StoppingCriterion = StoppingCriterion::rough(12, 1e-3);
 /// Odds of a scale or a clock that is off, which somebody has adjusted: where the machine may be at fault as well, it is
 /// named, and the instrument beside it.
 const ADJUSTED: f64 = 0.05;
+/// How far the characteristics of sensors bend away from a line, as parts of their range: from good ones to poor ones.
+const BOWED: [f64; 2] = [1e-4, 0.02];
 
 /// Noise by which a model's rows are judged when terms are at work, without their shares yet.
 pub fn plain(trial: &CandidateModel, repeats: &Repeats, terms: &[Term]) -> (Noise, Repeats) {
@@ -134,15 +136,32 @@ pub fn resized<'a>(trial: &CandidateModel<'a>, repeats: &Repeats) -> Option<Cand
 /// scale for each observable, and a clock where there are times.
 pub fn absent_readings(data: &Data) -> Vec<Description> {
     let of_reading = effects::all().filter(|e| e.acts.is_reading());
-    let is_absent = |effect: &MeasurementEffect| data.model.measurement.iter().all(|term| term.effect != effect);
+    let is_absent =
+        |effect: &MeasurementEffect| data.model.measurement.iter().all(|term| term.effect.name != effect.name);
     let of = |effect: &'static MeasurementEffect| match effect.acts {
         Acts::Times(_) => {
             let time = time_of(&*data.model.process).filter(|time| data.given.contains(time));
             time.map_or(Vec::new(), |_| vec![Term::new(effect)])
         }
-        _ => own_observables(data).into_iter().map(|observable| Term { observable, ..Term::new(effect) }).collect(),
+        _ => {
+            let range = |term: &Term| matches!(effect.size, Size::OfReading(_)).then(|| sensed(term, data));
+            let own = own_observables(data).into_iter().map(|observable| Term { observable, ..Term::new(effect) });
+            own.filter_map(|term| Some(Term { range: range(&term).map_or(Some(None), |r| r.map(Some))?, ..term }))
+                .collect()
+        }
     };
     of_reading.filter(|e| is_absent(e)).flat_map(of).map(|term| description(&term, data)).collect()
+}
+
+/// The range, SI, of what a sensor shows as it is: from its zero, at which sensors are set, over all readings; `None`
+/// where it is none, or hardly changes.
+fn sensed(term: &Term, data: &Data) -> Option<[f64; 2]> {
+    let own = data.observables.iter().find(|s| term.observable.is_none_or(|o| o == s.position))?;
+    let is_sensed = data.model.process.observables()[own.position].is_sensed;
+    let values = || (0..data.len()).filter(|row| term.is_of(data, *row)).map(|row| data.observed[row]);
+    let zero = data.model.process.observables()[own.position].kind.to_si(0.0);
+    let [low, high] = [values().fold(zero, f64::min), values().fold(zero, f64::max)];
+    (is_sensed && high > low).then_some([low, high])
 }
 
 /// A term as the catalogue of effects tells one.
@@ -153,6 +172,12 @@ pub fn description(term: &Term, data: &Data) -> Description {
             let time = matches!(term.effect.acts, Acts::Times(_)).then(|| time_of(&*data.model.process)).flatten();
             let along = time.map(|time| data.model.process.coordinates()[time].name.clone());
             process::Parameter { along, ..parameter.clone() }
+        }
+        Size::OfReading(parameter) => {
+            let kind = term.kind(data);
+            let span = term.range.map_or(f64::INFINITY, |[low, high]| (high - low) / kind.canonical().factor);
+            let range = BOWED.map(|part| part * span).into();
+            process::Parameter { kind, range, over: term.range, ..parameter.clone() }
         }
         size => {
             let kind = term.kind(data);

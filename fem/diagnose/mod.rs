@@ -53,6 +53,7 @@ pub use bent_law::{Along, Bend};
 pub use detection_limit::DetectionLimit;
 pub use diagnosis::{Cause, Diagnosis, Missing, Outlier, Outlook};
 pub use failure::unsolvable;
+pub use findings::doubt_sensors;
 pub use free_law::{Apart, FreeLaw, Rival};
 pub use laplace::weight;
 pub use largest_change::LargestChange;

@@ -33,6 +33,12 @@ pub fn diagnose_with(
     most: usize,
     progress: &Progress,
 ) -> Result<Diagnosis, Failure> {
+    let mut found = with_laws(data, candidates, most, progress)?;
+    diagnose::doubt_sensors(&mut found);
+    Ok(found)
+}
+
+fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
     let mut of_catalogue = diagnose::diagnose(data, most, progress)?;
     if data.model.campaign().is_some() || of_catalogue.verdict == Verdict::Adequate || !progress.permits(LAWS) {
         return Ok(of_catalogue);

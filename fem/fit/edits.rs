@@ -29,7 +29,11 @@ pub fn edits(data: &Data, fit: &Fit) -> Vec<Edit> {
     // Tests of one machine have no file in which they could stand.
     let correlations = match data.model.campaign() {
         Some(_) => Vec::new(),
-        None => data.model.together.edits(&of, &fit.known.correlation, (unexplained(data, fit), &fit.known.instead)),
+        None => data.model.together.edits(
+            &of,
+            &fit.known.correlation,
+            ((unexplained(data, fit), data.model.process.size_kind()), &fit.known.instead),
+        ),
     };
     let sizes = fit.sizes.iter().filter(|size| size.is_told()).map(|size| sized(data, size));
     std::iter::once(Edit::Remark(remark)).chain(values).chain(sizes).chain(correlations).collect()

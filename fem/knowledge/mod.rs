@@ -9,16 +9,16 @@ use nalgebra::{DMatrix, DVector};
 use crate::budget::{Law, Stream};
 use crate::model::{Model, Spread};
 use crate::noise::MEASUREMENT;
-use crate::units::MICRO;
+use crate::units::Kind;
 
 /// Seed of the draws: the same model has the same answer.
 const SEED: u64 = 1;
 /// Half-field of a normal law in standard deviations.
 const FIELD: f64 = 3.0;
 
-/// Says of a model that it failed against its measurements, where something stays unexplained (m).
-pub fn failed(unexplained: f64) -> Option<String> {
-    let left = MICRO.shown(unexplained);
+/// Says of a model that it failed against its measurements, where something stays unexplained (SI, told in `kind`).
+pub fn failed(unexplained: f64, kind: &Kind) -> Option<String> {
+    let left = kind.shown(unexplained);
     let told = || format!("failed against the measurements that it was fitted to: {left:.2} stay unexplained");
     (unexplained > 0.0).then(told)
 }

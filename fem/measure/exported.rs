@@ -20,6 +20,8 @@ pub struct Exported {
     pub told: Vec<String>,
     /// Who parted its columns.
     pub parted: Parted,
+    /// Names of the sheets of a workbook.
+    pub sheets: Vec<String>,
 }
 
 impl Exported {
@@ -39,8 +41,9 @@ impl Exported {
 pub fn open(path: &Path, said: &Reading) -> Result<Exported, InputError> {
     let mut told = Vec::new();
     let mut is_workbook = false;
+    let mut sheets = Vec::new();
     let binary = |bytes: &[u8]| {
-        let workbook = workbook::text(bytes, said, &mut told);
+        let workbook = workbook::text(bytes, said, &mut told, &mut sheets);
         is_workbook = workbook.is_some();
         workbook.or_else(|| text_of_rtx(bytes))
     };
@@ -48,7 +51,8 @@ pub fn open(path: &Path, said: &Reading) -> Result<Exported, InputError> {
     told.extend(encoding.map(|name| format!("text in {name}")));
     let exported = of_text(source);
     told.extend(exported.told);
-    Ok(Exported { told, parted: if is_workbook { Parted::Workbook } else { exported.parted }, ..exported })
+    let parted = if is_workbook { Parted::Workbook } else { exported.parted };
+    Ok(Exported { told, parted, sheets, ..exported })
 }
 
 /// Makes plain text of a text: line ends of old machines become those of today's, and columns that blanks part are parted
@@ -65,7 +69,7 @@ pub fn of_text(source: Source) -> Exported {
         told.push("columns parted by blanks".into());
         text = parted.into();
     }
-    Exported { source: Source { name, text }, told, parted: by }
+    Exported { source: Source { name, text }, told, parted: by, sheets: Vec::new() }
 }
 
 /// Whether a carriage return stands without a line feed behind it.

@@ -118,6 +118,9 @@ fn missing<'p>(header: &Header, vocabulary: Vocabulary<'p>) -> impl Iterator<Ite
     let needed = |coordinate: &Coordinate| match coordinate.absent {
         Absent::Refused => true,
         Absent::NeededBy(observable) => header.observables.iter().any(|s| s.position == observable),
+        Absent::NeededBut(observable) => {
+            header.observables.is_empty() || header.observables.iter().any(|s| s.position != observable)
+        }
         Absent::Value(_) | Absent::Model | Absent::ModelOf(_) => false,
     };
     let all = vocabulary.coordinates.iter().enumerate();
@@ -177,7 +180,8 @@ fn column_of(coordinate: &Coordinate) -> String {
 
 /// Columns without which a file tells nothing: those of the first observable.
 pub fn needed(vocabulary: Vocabulary) -> Vec<String> {
-    let is_needed = |c: &&Coordinate| matches!(c.absent, Absent::Refused | Absent::NeededBy(0));
+    let is_needed =
+        |c: &&Coordinate| matches!(c.absent, Absent::Refused | Absent::NeededBy(0) | Absent::NeededBut(1..));
     let coordinates = vocabulary.coordinates.iter().filter(is_needed).map(column_of);
     coordinates.chain(observed(vocabulary).into_iter().take(1)).collect()
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::vocabulary::Vocabulary;
 
-/// What a heading may be called, by the columns that it then is: of those a process knows one, or the word tells nothing.
+/// What a heading may be called, by the columns that it then is: the first of them that a process knows.
 /// Small letters, underscores for blanks, Latin letters without their accents.
 const SAME: &[(&[&str], &[&str])] = &[
     (
@@ -27,6 +27,36 @@ const SAME: &[(&[&str], &[&str])] = &[
             "直径误差",
             "直径偏差",
             "直径誤差",
+        ],
+    ),
+    (
+        &["RONt"],
+        &[
+            "ront",
+            "roundness",
+            "out_of_roundness",
+            "roundness_deviation",
+            "rundheit",
+            "rundheitsabweichung",
+            "unrundheit",
+            "circularite",
+            "ecart_de_circularite",
+            "rotondita",
+            "errore_di_rotondita",
+            "circolarita",
+            "redondez",
+            "circularidad",
+            "error_de_redondez",
+            "okraglosc",
+            "odchylka_okraglosci",
+            "kruhovitost",
+            "odchylka_kruhovitosti",
+            "круглость",
+            "отклонение_от_круглости",
+            "некруглость",
+            "圆度",
+            "圆度误差",
+            "真円度",
         ],
     ),
     (&["diameter"], &["durchmesser", "diametre", "diametro", "srednica", "prumer", "диаметр", "直径"]),
@@ -114,6 +144,26 @@ const SAME: &[(&[&str], &[&str])] = &[
         ],
     ),
     (&["force", "radial_force"], &["kraft", "forza", "fuerza", "sila", "сила", "力", "荷重"]),
+    (
+        &["torque"],
+        &[
+            "drehmoment",
+            "moment",
+            "lastmoment",
+            "couple",
+            "coppia",
+            "momento_torcente",
+            "par",
+            "par_de_torsion",
+            "moment_obrotowy",
+            "kroutici_moment",
+            "момент",
+            "крутящий_момент",
+            "扭矩",
+            "转矩",
+            "トルク",
+        ],
+    ),
     (
         &["clamp_force", "jaw_force"],
         &[
@@ -296,12 +346,11 @@ pub fn count(text: &str) -> usize {
     signs + cells.iter().filter(|cell| SAME.iter().any(|(_, words)| words.contains(&&***cell))).count()
 }
 
-/// The column of a process that a word of another language means; `None` where the process knows none of those, or several.
+/// The column of a process that a word of another language means; `None` where the process knows none of those.
 pub fn meant(word: &str, vocabulary: Vocabulary) -> Option<&'static str> {
     let word = folded(word);
     let mut all = SAME.iter().filter(|(_, words)| words.contains(&&*word)).flat_map(|(columns, _)| *columns);
-    let known = all.by_ref().find(|column| vocabulary.knows(column))?;
-    all.all(|column| !vocabulary.knows(column)).then_some(*known)
+    all.find(|column| vocabulary.knows(column)).copied()
 }
 
 #[cfg(test)]
@@ -317,7 +366,7 @@ mod tests {
                 let known: Vec<&&str> = columns.iter().filter(|own| vocabulary.knows(own)).collect();
                 for word in *words {
                     assert_eq!(folded(word), *word, "written without accents");
-                    assert!(known.len() < 2 || meant(word, vocabulary).is_none(), "{word} of {}", process.name());
+                    assert_eq!(meant(word, vocabulary), known.first().map(|own| **own), "{word} of {}", process.name());
                     assert_eq!(SAME.iter().filter(|(_, all)| all.contains(word)).count(), 1, "{word} stands twice");
                 }
             }

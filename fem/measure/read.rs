@@ -337,7 +337,7 @@ fn uncertainty(cell: &str, name: &str, unit: Unit) -> Result<f64, Problem> {
 fn left_out(coordinate: &crate::process::Coordinate) -> f64 {
     match coordinate.absent {
         Absent::Value(value) => value,
-        Absent::Refused | Absent::Model | Absent::NeededBy(_) | Absent::ModelOf(_) => f64::NAN,
+        Absent::Refused | Absent::Model | Absent::NeededBy(_) | Absent::NeededBut(_) | Absent::ModelOf(_) => f64::NAN,
     }
 }
 

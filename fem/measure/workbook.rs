@@ -27,17 +27,24 @@ const COMPOUND: &[u8] = b"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1";
 type Book<'b> = Sheets<Cursor<&'b [u8]>>;
 
 /// The text of a sheet, tabs between its cells; `None` where the bytes are no workbook. `said` may name the sheet; else it is
-/// the first that holds a table, or whatever holds most of one.
+/// the first that holds a table, or whatever holds most of one. The names of all go into `sheets`.
 ///
 /// # Errors
 /// The workbook cannot be read, is too large, or has no such sheet.
-pub fn text(bytes: &[u8], said: &Reading, told: &mut Vec<String>) -> Option<Result<String, Problem>> {
-    (bytes.starts_with(ZIP) || bytes.starts_with(COMPOUND)).then(|| sheet(bytes, said, told))
+pub fn text(
+    bytes: &[u8],
+    said: &Reading,
+    told: &mut Vec<String>,
+    sheets: &mut Vec<String>,
+) -> Option<Result<String, Problem>> {
+    (bytes.starts_with(ZIP) || bytes.starts_with(COMPOUND)).then(|| {
+        let mut book = open(bytes)?;
+        *sheets = book.sheet_names();
+        sheet(&mut book, sheets, said, told)
+    })
 }
 
-fn sheet(bytes: &[u8], said: &Reading, told: &mut Vec<String>) -> Result<String, Problem> {
-    let mut book = open(bytes)?;
-    let names = book.sheet_names();
+fn sheet(book: &mut Book, names: &[String], said: &Reading, told: &mut Vec<String>) -> Result<String, Problem> {
     let named = |name: &String| names.iter().find(|own| own.trim().eq_ignore_ascii_case(name.trim()));
     let kept = || said.kept.as_ref().and_then(|kept| named(kept.sheet.as_ref()?));
     if let Some(name) = said.sheet.as_ref().or_else(kept) {
@@ -46,11 +53,11 @@ fn sheet(bytes: &[u8], said: &Reading, told: &mut Vec<String>) -> Result<String,
             return Err(problem.help(format!("its sheets are {}", names.join(", "))));
         };
         told.push(format!("the sheet `{own}`"));
-        return written(&mut book, own);
+        return written(book, own);
     }
     let mut best: Option<(usize, &String, String)> = None;
-    for name in &names {
-        let text = written(&mut book, name)?;
+    for name in names {
+        let text = written(book, name)?;
         let rows = layout::rows(&text, '\t');
         if rows > best.as_ref().map_or(0, |(most, ..)| *most) {
             best = Some((rows, name, text));

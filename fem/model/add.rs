@@ -135,23 +135,30 @@ fn of_measurement(
     let is_file = matches!(effect.size, Size::File(..));
     let is_size = |key: &str| !is_file && sizes.contains(&key);
     check_settings(name, &names, settings, |Setting { key, value }| match is_size(key) {
-        true => size(effect, &of, &value.to_string()).map(drop),
+        true => {
+            size(effect.sizes().find(|own| own.size.key() == key).unwrap_or(effect), &of, &value.to_string()).map(drop)
+        }
         false => Ok(()),
     })?;
-    let is_number = match effect.size {
-        Size::Number(..) => true,
-        Size::Quantity(parameter) => parameter.kind.unit.is_empty(),
-        Size::OfObservable(..) | Size::File(..) => false,
-    };
-    // Of a quantity of its own kind the unit is known.
-    let own = match effect.size {
-        Size::Quantity(parameter) => vec![(0, parameter.kind)],
-        _ => of.clone(),
-    };
-    let entry = |key: &str| match set(key) {
-        Some(value) => Some(written(value, is_number && is_size(key))),
-        None if !is_size(key) || matches!(effect.acts, Acts::Weighs) => None,
-        None => Some(Entry::Text(unknown(is_number, &own))),
+    // Of a sensor's characteristic what is not said is not there, and its curve asks for a range.
+    let is_characteristic = matches!(effect.size, Size::OfReading(_));
+    let is_any_set = sizes.iter().any(|key| set(key).is_some());
+    let entry = |key: &str| {
+        let Some(size) = effect.sizes().find(|own| own.size.key() == key && !is_file) else {
+            return set(key).map(|value| written(value, false));
+        };
+        // Of a quantity of its own kind the unit is known.
+        let (is_number, own) = match size.size {
+            Size::Number(..) => (true, of.clone()),
+            Size::Quantity(parameter) => (parameter.kind.unit.is_empty(), vec![(0, parameter.kind)]),
+            Size::OfObservable(..) | Size::OfReading(_) | Size::File(..) => (false, of.clone()),
+        };
+        match set(key) {
+            Some(value) => Some(written(value, is_number)),
+            None if matches!(effect.acts, Acts::Weighs) => None,
+            None if is_characteristic && (is_any_set || !matches!(key, "offset" | "scale")) => None,
+            None => Some(Entry::Text(unknown(is_number, &own))),
+        }
     };
     Ok(names.into_iter().filter_map(|key| Some((key.to_string(), entry(key)?))).collect())
 }

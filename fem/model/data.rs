@@ -101,7 +101,7 @@ impl<'m> Data<'m> {
         /// Most rows of such a design.
         const MOST: usize = 240;
         let all = model.system.programme();
-        let is_place = |c: &Coordinate| c.absent == Absent::Refused;
+        let is_place = |c: &Coordinate| matches!(c.absent, Absent::Refused | Absent::NeededBut(_));
         let places = model.process.coordinates().iter().zip(&all.columns).filter(|(c, _)| is_place(c));
         if let Some((c, _)) = places.into_iter().find(|(_, values)| values.iter().any(|v| !v.is_finite())) {
             let problem = Problem::new(format!("where the model's own programme looks along {} is unknown", c.name));

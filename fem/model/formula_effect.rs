@@ -99,6 +99,7 @@ fn parameter(name: Name, kind: Kind) -> Parameter {
         along: None,
         period: None,
         is_step: false,
+        over: None,
     }
 }
 

@@ -337,8 +337,8 @@ fn read(
     let machine = machine::read(model, system.as_ref().and_then(|system| system.unit()));
     let effects = read_effects(model, process, system.as_deref());
     let odds = OwnOdds::read(model, process);
-    let settings = (ShopSetting::all(model), shop::largest_change(model));
-    let further = (odds, Together::read(model), settings.0, settings.1, files::read(model));
+    let settings = (ShopSetting::all(model), shop::largest_change(model, process.size_kind()));
+    let further = (odds, Together::read(model, process.size_kind()), settings.0, settings.1, files::read(model));
     (title, machine, system, effects, noise::read(model, process), further)
 }
 

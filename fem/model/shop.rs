@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::Edit;
 use crate::input::{ParameterId, Raw, Reader};
-use crate::units::{MICRO, TIME};
+use crate::units::{Kind, TIME};
 
 /// Most of them: pairs of them are tried, too.
 const MOST: usize = 40;
@@ -33,12 +33,12 @@ pub struct ShopSetting {
     pub span: Option<Range<usize>>,
 }
 
-/// Reads the largest change of the command that the machine may be given, m, if the model says one.
-pub fn largest_change(model: &Reader) -> Option<f64> {
+/// Reads the largest change of the command that the machine may be given, SI, told in `kind`, if the model says one.
+pub fn largest_change(model: &Reader, kind: Kind) -> Option<f64> {
     let about = "what the machine may be commanded otherwise than the drawing says, for `fem correct`";
     let largest = |t: &Reader| {
         let about = "the largest change of the command, either way: what a control or its operator allows";
-        t.quantity("largest", MICRO, about).chosen().positive().optional()
+        t.quantity("largest", kind, about).chosen().positive().optional()
     };
     model.optional_table("correction", about, largest).flatten()
 }

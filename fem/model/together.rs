@@ -6,7 +6,7 @@ use nalgebra::{Cholesky, DMatrix, Dyn};
 use super::other_set::{INSTEAD, OtherSet};
 use super::{Edit, Entry, Model, Spread};
 use crate::input::{Parameter, ParameterId, Reader};
-use crate::units::{Knowledge, MICRO};
+use crate::units::{Kind, Knowledge};
 
 /// Its place in a model.
 const PARENT: &str = "known";
@@ -31,7 +31,7 @@ pub struct Together {
     std: Vec<String>,
     /// In which terms each is spread; empty where all are as is usual.
     spreads: Vec<Spread>,
-    /// What stays unexplained of the measurements that they were fitted to, m.
+    /// What stays unexplained of the measurements that they were fitted to, SI.
     unexplained: f64,
     /// Other sets of effects that explain them as well.
     instead: Vec<OtherSet>,
@@ -39,10 +39,10 @@ pub struct Together {
 
 impl Together {
     /// Reads the table, if the model has it.
-    pub fn read(model: &Reader) -> Self {
+    pub fn read(model: &Reader, kind: Kind) -> Self {
         let read = |t: &Reader| {
             let left = "what stays unexplained of the measurements, as a standard deviation";
-            let left = t.quantity(UNEXPLAINED, MICRO, left).chosen().not_negative().optional();
+            let left = t.quantity(UNEXPLAINED, kind, left).chosen().not_negative().optional();
             let unexplained = left.unwrap_or(0.0);
             let instead = OtherSet::all(t);
             let of = t.text("of", "the quantities, as `effects.tool-wear.rate`");
@@ -128,7 +128,7 @@ impl Together {
         cholesky(correlation).map(|own| own.l())
     }
 
-    /// What stays unexplained of the measurements, as a standard deviation, m.
+    /// What stays unexplained of the measurements, as a standard deviation, SI.
     pub fn unexplained(&self) -> f64 {
         self.unexplained
     }
@@ -139,19 +139,19 @@ impl Together {
     }
 
     /// Edits that put what is known of these quantities into a model, with their standard uncertainties (SI), the terms in which they
-    /// are spread, what stays unexplained (m), and what may be there instead, in the place of what it has; none where nothing is
+    /// are spread, what stays unexplained (SI, told in a kind), and what may be there instead, in the place of what it has; none where nothing is
     /// correlated, all is explained and nothing else explains it.
     pub fn edits(
         &self,
         of: &[(Parameter, f64, Spread)],
         correlation: &DMatrix<f64>,
-        (unexplained, instead): (f64, &[OtherSet]),
+        ((unexplained, kind), instead): ((f64, Kind), &[OtherSet]),
     ) -> Vec<Edit> {
         let had = (*self != Self::default()).then(|| Edit::Remove { parent: PARENT, name: NAME.into() });
         let is_any = (0..of.len()).any(|i| (0..i).any(|j| correlation[(i, j)].abs() > NONE));
         let mut keys = if is_any { Self::correlated(of, correlation) } else { Vec::new() };
         if unexplained > 0.0 {
-            let text = format!("{:.3} {}", MICRO.from_si(unexplained), MICRO.unit);
+            let text = format!("{:.3} {}", kind.from_si(unexplained), kind.unit);
             keys.push((UNEXPLAINED.to_string(), Entry::Text(text)));
         }
         if !instead.is_empty() {

@@ -29,7 +29,8 @@ pub fn reading(reading: &Active, process: &dyn Process) -> Option<Term> {
     let effect = effects::all().find(|e| e.name == reading.description.name)?;
     let observable =
         process.observables().iter().position(|o| Some(&o.name) == reading.description.observable.as_ref());
-    Some(Term { observable, size: *reading.values.first()?, ..Term::new(effect) })
+    let range = reading.description.parameters.first()?.over;
+    Some(Term { observable, range, size: *reading.values.first()?, ..Term::new(effect) })
 }
 
 /// Puts a forward model behind the instrument that some of `terms` describe, if any do.
@@ -75,12 +76,15 @@ impl ForwardModel for Instrument {
 
     fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
         let mut values = self.part.observe(&at_true_times(rows, &self.terms, self.time))?;
-        for gain in &self.terms {
-            let Acts::Shows(shown) = gain.effect.acts else { continue };
-            let own = values.iter_mut().zip(rows.observable.iter());
-            for (value, observable) in own.filter(|(_, o)| gain.observable.is_none_or(|own| own == **o)) {
-                let zero = self.zeros[*observable];
-                *value = zero + shown(gain.size, *value - zero);
+        let there_is = values.clone();
+        for term in &self.terms {
+            let Acts::Shows(added) = term.effect.acts else { continue };
+            for (row, observable) in rows.observable.iter().enumerate() {
+                if term.observable.is_none_or(|own| own == *observable) {
+                    let value = there_is[row];
+                    let place = term.range.map_or(0.0, |[low, high]| (2.0 * value - low - high) / (high - low));
+                    values[row] += added(term.size, value - self.zeros[*observable], place);
+                }
             }
         }
         Ok(values)

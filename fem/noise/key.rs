@@ -29,6 +29,14 @@ pub const PERIOD: Key =
 /// The observable on which an effect acts.
 pub const OBSERVABLE: Key =
     Key { name: "observable", about: "the observable on which it acts, where a file has several", example: "" };
+/// Where the range of a sensor begins.
+pub const LOW: Key = Key {
+    name: "low",
+    about: "least value between which and `high` the curve of the sensor is told, in a unit of what is observed",
+    example: "0 mm",
+};
+/// Where the range of a sensor ends.
+pub const HIGH: Key = Key { name: "high", about: "largest value of that range", example: "2 mm" };
 /// The rows that are wrong.
 pub const ROWS: Key =
     Key { name: "rows", about: "the rows that are wrong, counted from 1 and parted by commas", example: "12, 40" };

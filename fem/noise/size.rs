@@ -25,7 +25,7 @@ pub fn size(effect: &MeasurementEffect, observed: &[(usize, Kind)], text: &str) 
     }
     let parse = |(position, kind): &(usize, Kind)| {
         let kind = match &effect.size {
-            Size::OfObservable(..) => kind,
+            Size::OfObservable(..) | Size::OfReading(_) => kind,
             Size::Number(..) | Size::File(..) => &NUMBER,
             Size::Quantity(parameter) => &parameter.kind,
         };
@@ -58,9 +58,8 @@ fn meant(effect: &MeasurementEffect, quantity: &Quantity) -> Result<f64, Problem
             Err(problem.help("write the value alone, or \"?\" to have it estimated"))
         }
         // A clock may be early, and of two sizes in a table one may be at work alone.
-        _ if matches!(effect.acts, Acts::Times(_)) || effect.beside.is_some() && quantity.value == 0.0 => {
-            Ok(quantity.value)
-        }
+        _ if matches!(effect.acts, Acts::Times(_)) || matches!(effect.size, Size::OfReading(_)) => Ok(quantity.value),
+        _ if !effect.beside.is_empty() && quantity.value == 0.0 => Ok(quantity.value),
         _ if quantity.value > 0.0 => Ok(quantity.value),
         _ if is_weight => Err(Problem::new("it must be above zero").help("leave it out, and it is 10")),
         _ => Err(Problem::new("it must be above zero").help("leave the table out, or write \"?\"")),

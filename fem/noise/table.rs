@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::given::GivenCovariance;
 use super::instrument::time_of;
-use super::key::{ALONG, BY, FROM, IN_FILE, Key, OBSERVABLE, PERIOD, ROWS, UNIT};
+use super::key::{ALONG, BY, FROM, HIGH, IN_FILE, Key, LOW, OBSERVABLE, PERIOD, ROWS, UNIT};
 use super::size::{observed, size};
 use super::term::{Acts, Along, MeasurementEffect, Size, Term};
 use super::{covariance_file, effects};
@@ -60,6 +60,7 @@ fn terms(effect: &'static MeasurementEffect, name: &str, table: &Reader, process
         term.along = along.map(|(along, _)| along);
     }
     match (effect.acts, effect.size, effect.beside) {
+        (_, Size::OfReading(_), _) => characteristic(term, table, process),
         (_, Size::Quantity(Parameter { name, kind, about, .. }), _) => {
             let field = table.quantity(name.clone(), *kind, about);
             let field = if kind.unit.is_empty() { field.positive() } else { field };
@@ -67,7 +68,7 @@ fn terms(effect: &'static MeasurementEffect, name: &str, table: &Reader, process
             vec![Term { size: field.required(), ..term }]
         }
         (Acts::Given, ..) => given(term, table).into_iter().collect(),
-        (.., Some(other)) => two(term, other, table, process),
+        (.., [other]) => two(term, other, table, process),
         _ => sized(term, table, process).into_iter().collect(),
     }
 }
@@ -83,6 +84,53 @@ fn two(term: Term, other: &'static MeasurementEffect, table: &Reader, process: &
         table.problem(second, message, "leave the table out, or write \"?\"");
     }
     all
+}
+
+/// The terms of a sensor's characteristic, one for each size that its table has.
+fn characteristic(mut term: Term, table: &Reader, process: &dyn Process) -> Vec<Term> {
+    let effect = term.effect;
+    // Sizes are in the unit of what is observed.
+    let several = process.observables().len() > 1 && !table.is_described();
+    if several && !table.has(OBSERVABLE.name) {
+        let names = process.observables().iter().map(|o| &*o.name).collect::<Vec<_>>();
+        let help = format!("add observable = \"{}\", or another of {}", names[0], names.join(", "));
+        table.problem(OBSERVABLE.name, "it is not said what the sensor measures", help);
+        return Vec::new();
+    }
+    let own = &process.observables()[term.observable.unwrap_or(0)];
+    let [low, high] = [LOW, HIGH].map(|key| table.quantity(key.name, own.kind, key.about).chosen().optional());
+    term.range = low.zip(high).map(|(low, high)| [low, high]);
+    let mut terms = Vec::new();
+    for effect in effect.sizes() {
+        let (Size::OfReading(parameter) | Size::Quantity(parameter)) = effect.size else { continue };
+        let of_reading = matches!(effect.size, Size::OfReading(_));
+        let kind = if of_reading { own.error_kind() } else { parameter.kind };
+        let field = table.quantity(parameter.name.clone(), kind, parameter.about);
+        let field = if of_reading { field } else { field.positive() };
+        terms.extend(field.optional().map(|size| Term { effect, size, ..term.clone() }));
+    }
+    if table.is_described() || !table.is_sound() {
+        return terms;
+    }
+    if terms.is_empty() {
+        let all = effect.size_keys().join("`, `");
+        table.problem("", format!("none of `{all}` is there"), "leave the table out, or write \"?\" for one of them");
+    }
+    let is_shape = |t: &Term| !matches!(t.effect.size.key(), "offset" | "scale");
+    if let Some(shape) = terms.iter().find(|t| is_shape(t)) {
+        let key = shape.effect.size.key();
+        match term.range {
+            None => {
+                let message = format!("`{key}` is told between two values of what is observed");
+                table.problem(key, message, "add low = \"0 mm\" and high = \"2 mm\", where the sensor's range ends");
+            }
+            Some([low, high]) if high <= low => {
+                table.problem(HIGH.name, "`high` is not above `low`", "give the sensor a range");
+            }
+            Some(_) => {}
+        }
+    }
+    terms
 }
 
 /// The term with the size that its table says.

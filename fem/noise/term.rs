@@ -1,5 +1,6 @@
 //! A measurement effect and the term of the covariance that it makes.
 
+use std::fmt;
 use std::sync::Arc;
 
 use super::given::GivenCovariance;
@@ -12,7 +13,6 @@ use crate::units::{Kind, NUMBER};
 pub type Column = Vec<(usize, f64)>;
 
 /// Effect of instrument, datum or surroundings on data: all of it but how the residuals ask for it.
-#[derive(Debug)]
 pub struct MeasurementEffect {
     /// The word in `[measurement.NAME]`.
     pub name: &'static str,
@@ -32,8 +32,8 @@ pub struct MeasurementEffect {
     pub example: &'static str,
     /// The size where its key is left out; not a number where it is then estimated.
     pub usual: f64,
-    /// An effect whose size stands in the same table; either may be zero then, and is left out.
-    pub beside: Option<&'static MeasurementEffect>,
+    /// Effects whose sizes stand in the same table; any may be zero then, and is left out.
+    pub beside: &'static [&'static MeasurementEffect],
     /// Way in which it enters the covariance.
     pub acts: Acts,
     /// Its price in −2 ln L as a number of parameters, each of which costs ln n; the odds against a row that it names
@@ -59,7 +59,7 @@ impl MeasurementEffect {
         size: Size::Number("", ""),
         example: "",
         usual: f64::NAN,
-        beside: None,
+        beside: &[],
         acts: Acts::Scales,
         parameters: 1.0,
         odds: 0.0,
@@ -70,7 +70,8 @@ impl MeasurementEffect {
     /// The keys of its table, those of sizes last but for what says of what the size is.
     pub fn all_keys(&self) -> Vec<Key> {
         let (before, after): (Vec<Key>, Vec<Key>) = self.keys.iter().partition(|key| **key != UNIT);
-        before.into_iter().chain(self.beside.map(Self::size_key)).chain([self.size_key()]).chain(after).collect()
+        let sizes = self.sizes().map(Self::size_key);
+        before.into_iter().chain(sizes).chain(after).collect()
     }
 
     /// The key of its size.
@@ -80,7 +81,12 @@ impl MeasurementEffect {
 
     /// The keys of its table that hold a size.
     pub fn size_keys(&self) -> Vec<&'static str> {
-        self.beside.iter().map(|other| other.size.key()).chain([self.size.key()]).collect()
+        self.sizes().map(|effect| effect.size.key()).collect()
+    }
+
+    /// The effects whose sizes stand in its table, its own last.
+    pub fn sizes(&self) -> impl Iterator<Item = &Self> {
+        self.beside.iter().copied().chain([self])
     }
 
     /// Whether it only describes what no law here has.
@@ -103,9 +109,16 @@ pub enum Shape {
     Curve,
 }
 
+/// Its name and its size: effects of one table know one another.
+impl fmt::Debug for MeasurementEffect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("MeasurementEffect").field("name", &self.name).field("size", &self.size.key()).finish()
+    }
+}
+
 impl PartialEq for MeasurementEffect {
     fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
+        self.name == other.name && self.size.key() == other.size.key()
     }
 }
 
@@ -118,6 +131,8 @@ pub enum Size {
     Number(&'static str, &'static str),
     /// A quantity of a kind of its own, which a model may know roughly (`+-`) and a search may look for.
     Quantity(&'static Parameter),
+    /// The same in the unit of what is observed, whatever that of the parameter is.
+    OfReading(&'static Parameter),
     /// None, but a file.
     File(&'static str, &'static str),
 }
@@ -127,7 +142,7 @@ impl Size {
     pub fn key(self) -> &'static str {
         match self {
             Self::OfObservable(key, _) | Self::Number(key, _) | Self::File(key, _) => key,
-            Self::Quantity(parameter) => &parameter.name,
+            Self::Quantity(parameter) | Self::OfReading(parameter) => &parameter.name,
         }
     }
 
@@ -135,7 +150,7 @@ impl Size {
     pub fn about(self) -> &'static str {
         match self {
             Self::OfObservable(_, about) | Self::Number(_, about) | Self::File(_, about) => about,
-            Self::Quantity(parameter) => parameter.about,
+            Self::Quantity(parameter) | Self::OfReading(parameter) => parameter.about,
         }
     }
 }
@@ -154,8 +169,9 @@ pub enum Acts {
     Weighs,
     /// Adds size²/12 to the variance of every row where it is stated, and is a floor of it where it is not.
     Rounds,
-    /// Changes what the instrument shows of a value above the zero of its scale, by its size; it is no noise.
-    Shows(fn(f64, f64) -> f64),
+    /// Adds to what the instrument shows: by its size, the value above the zero of its scale and that value's place in the
+    /// term's range, -1 at its lower end and 1 at its upper one; it is no noise.
+    Shows(fn(f64, f64, f64) -> f64),
     /// Changes the time at which a row was taken, by its size; it is no noise.
     Times(fn(f64, f64) -> f64),
     /// Takes the place of the standard uncertainties: the covariance is known.
@@ -195,6 +211,8 @@ pub struct Term {
     pub by: Vec<usize>,
     /// The coordinate along which it changes, if it does.
     pub along: Option<Along>,
+    /// Values of what is observed between which a shape of the instrument's scale is told, SI.
+    pub range: Option<[f64; 2]>,
     /// Period of a wave along that coordinate, SI.
     pub period: Option<f64>,
     /// The observable on which it acts, by its position in the process's list; `None` for all.
@@ -217,6 +235,7 @@ impl Term {
             table: String::new(),
             by: Vec::new(),
             along: None,
+            range: None,
             period: None,
             observable: None,
             rows: Vec::new(),
@@ -240,7 +259,7 @@ impl Term {
     pub fn kind(&self, measurements: &Measurements) -> Kind {
         let own = || measurements.observables.iter().find(|s| Some(s.position) == self.observable);
         match self.effect.size {
-            Size::OfObservable(..) => own().unwrap_or(&measurements.observables[0]).kind,
+            Size::OfObservable(..) | Size::OfReading(_) => own().unwrap_or(&measurements.observables[0]).kind,
             Size::Number(..) | Size::File(..) => NUMBER,
             Size::Quantity(parameter) => parameter.kind,
         }

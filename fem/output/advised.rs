@@ -27,7 +27,7 @@ impl Answer for AdvisedAnswer<'_> {
         if !found.band.is_exact() {
             blocks.push(Block::Sentence(bands::lines(model, &found.band).join("; ")));
         }
-        blocks.extend(bands::failure(&found.band).map(Block::Caution));
+        blocks.extend(bands::failure(&found.band, model.process.size_kind()).map(Block::Caution));
         let advice: Vec<String> = found.advice.iter().map(|own| own.text.clone()).collect();
         match advice.is_empty() {
             true => blocks.push(Block::Sentence("nothing that this process knows would make it better".into())),

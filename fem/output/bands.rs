@@ -7,8 +7,8 @@ use super::number::trimmed;
 use super::tolerance;
 use crate::knowledge::{Band, failed};
 use crate::model::Model;
-use crate::process::{Column, Observable, Rows, Table};
-use crate::units::{Kind, MICRO, SMALL_ANGLE};
+use crate::process::{Column, Rows, Table};
+use crate::units::Kind;
 
 /// The observables of rows of a model, each with its rows by their numbers.
 pub fn observed(model: &Model, rows: &Rows) -> Vec<(usize, Vec<usize>)> {
@@ -18,8 +18,8 @@ pub fn observed(model: &Model, rows: &Rows) -> Vec<(usize, Vec<usize>)> {
 }
 
 /// Says that a model failed against the measurements that it was fitted to, where it did.
-pub fn failure(band: &Band) -> Option<String> {
-    failed(band.unexplained).map(|failed| format!("the model {failed}"))
+pub fn failure(band: &Band, kind: Kind) -> Option<String> {
+    failed(band.unexplained, &kind).map(|failed| format!("the model {failed}"))
 }
 
 /// Width of the band of each observable, what it comes from, and the probability of being within what is asked.
@@ -37,19 +37,13 @@ pub fn lines(model: &Model, band: &Band) -> Vec<String> {
         several => Some(format!("{several} values are known roughly, drawn together")),
     };
     let left = (band.unexplained > 0.0).then(|| {
-        let kind = of_sizes(model);
+        let kind = model.process.size_kind();
         let left = trimmed(kind.from_si(band.unexplained), 2);
         format!("{left} {} of the measurements stay unexplained", kind.unit)
     });
     let from: Vec<String> = values.into_iter().chain(others(band)).chain(left).collect();
     let within = band.probability.as_ref().map(tolerance::probability);
     [format!("{}: {}", all.join(", "), from.join("; "))].into_iter().chain(within).collect()
-}
-
-/// Kind of an error in size: of an angle where angles alone are observed.
-fn of_sizes(model: &Model) -> Kind {
-    let mut all = model.process.observables().iter().map(Observable::error_kind);
-    if all.all(|kind| kind == SMALL_ANGLE) { SMALL_ANGLE } else { MICRO }
 }
 
 /// Says that other sets of effects explain the measurements as well, where some do.
@@ -72,8 +66,8 @@ pub fn json(model: &Model, band: &Band) -> Json {
     json!({
         "observables": observed(model, &model.system.programme()).iter().map(of).collect::<Vec<_>>(),
         "uncertain_values": band.uncertain,
-        "unexplained": finite(of_sizes(model).from_si(band.unexplained)),
-        "unexplained_unit": of_sizes(model).unit,
+        "unexplained": finite(model.process.size_kind().from_si(band.unexplained)),
+        "unexplained_unit": model.process.size_kind().unit,
         "other_sets": band.others,
         "probability_in": band.probability.as_ref().map(|own| own.of_all),
         "parts": tolerance::parts(band.probability.as_ref()),

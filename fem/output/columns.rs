@@ -39,6 +39,7 @@ fn all(process: &dyn Process) -> Vec<Column> {
         heading: heading(&o.name, &o.kind.unit),
         need: match observables.len() {
             1 => "observed".into(),
+            _ if alike(i) && observables.len() > 2 => "observed, or another".into(),
             _ if alike(i) => "observed, or the other".into(),
             _ => "observed, or the other, or both".into(),
         },
@@ -73,6 +74,7 @@ fn need(coordinate: &Coordinate, process: &dyn Process) -> String {
     let only = |observable: usize| &process.observables()[observable].name;
     match coordinate.absent {
         Absent::Refused => "needed".into(),
+        Absent::NeededBut(observable) => format!("needed, but for {}", only(observable)),
         Absent::NeededBy(observable) => format!("needed with {}", only(observable)),
         Absent::Model => "the model's if left out".into(),
         Absent::ModelOf(observable) => format!("the model's if left out, with {}", only(observable)),

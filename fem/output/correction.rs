@@ -265,7 +265,7 @@ impl CorrectionAnswer<'_> {
 /// What a correction cannot do, or does not know.
 fn cautions(found: &Correction, kind: Kind) -> Vec<String> {
     let mut all: Vec<String> = found.commanded.takes.map(str::to_string).into_iter().collect();
-    all.extend(bands::failure(&found.band));
+    all.extend(bands::failure(&found.band, kind));
     let worst = found.before.iter().fold(0.0f64, |worst, value| worst.max(value.abs()));
     if found.between > BETWEEN * worst {
         all.push(format!(

@@ -31,7 +31,8 @@ pub fn page(effect: &MeasurementEffect) -> String {
     let _ = writeln!(text, "\n  what separates it from effects of the machine: {separates}");
     let _ = writeln!(text, "\n  in a model file\n    [{MEASUREMENT}.{name}]");
     for key in keys.iter().filter(|key| !key.example.is_empty()) {
-        let quote = if is_number(effect, key) { "" } else { "\"" };
+        let is_plain = is_number(effect, key) && key.example.parse::<f64>().is_ok();
+        let quote = if is_plain { "" } else { "\"" };
         let _ = writeln!(text, "    {} = {quote}{}{quote}", key.name, key.example);
     }
     text
@@ -43,10 +44,10 @@ fn is_size(effect: &MeasurementEffect, key: &Key) -> bool {
 
 /// Unit of a key, where it is known without a file.
 fn unit(effect: &MeasurementEffect, key: &Key) -> Option<&'static str> {
-    match effect.size {
-        Size::Number(..) if is_size(effect, key) => Some(""),
-        Size::Quantity(parameter) if is_size(effect, key) => Some(&parameter.kind.unit),
-        _ => None,
+    match effect.sizes().find(|own| own.size.key() == key.name)?.size {
+        Size::Number(..) => Some(""),
+        Size::Quantity(parameter) => Some(&parameter.kind.unit),
+        Size::OfObservable(..) | Size::OfReading(_) | Size::File(..) => None,
     }
 }
 
@@ -56,7 +57,9 @@ fn is_number(effect: &MeasurementEffect, key: &Key) -> bool {
 
 fn described(effect: &MeasurementEffect, key: &Key) -> String {
     match effect.size {
-        Size::OfObservable(..) if is_size(effect, key) => format!("{}, in a unit of what is observed", key.about),
+        Size::OfObservable(..) | Size::OfReading(_) if is_size(effect, key) && unit(effect, key).is_none() => {
+            format!("{}, in a unit of what is observed", key.about)
+        }
         _ => key.about.to_string(),
     }
 }
@@ -130,7 +133,9 @@ pub fn files(measurements: &Measurements) -> Vec<&str> {
 fn kind(term: &Term, process: &dyn Process, measurements: Option<&Measurements>) -> Kind {
     match (measurements, term.effect.size) {
         (Some(measurements), _) => term.kind(measurements),
-        (None, Size::OfObservable(..)) => process.observables()[term.observable.unwrap_or(0)].error_kind(),
+        (None, Size::OfObservable(..) | Size::OfReading(_)) => {
+            process.observables()[term.observable.unwrap_or(0)].error_kind()
+        }
         (None, Size::Quantity(parameter)) => parameter.kind,
         (None, Size::Number(..) | Size::File(..)) => NUMBER,
     }

@@ -2,16 +2,18 @@
 
 use super::chart::{Axis, Chart, Form, Plane, Point, Series};
 use crate::remedy::{Change, Remedies, Remedy};
-use crate::units::{MICRO, TIME};
+use crate::units::TIME;
 
 /// Every list, a row a remedy.
 pub fn table(found: &Remedies) -> String {
+    let of = |name: &str| format!("{name} [{}]", found.kind.unit);
+    let [rms, worst, gain] = ["rms", "worst", "gain"].map(of);
     let header = [
         "list",
         "change",
-        "rms [um]",
-        "worst [um]",
-        "gain [um]",
+        &rms,
+        &worst,
+        &gain,
         "minutes",
         "tolerance used",
         "tolerance used with 95 %",
@@ -27,11 +29,11 @@ pub fn table(found: &Remedies) -> String {
     let mut text = header.join(",") + "\n";
     for (name, all) in lists {
         for own in all {
-            let um = [own.left.rms, own.left.worst, found.gain(own)].map(|si| cell(Some(MICRO.from_si(si))));
+            let sizes = [own.left.rms, own.left.worst, found.gain(own)].map(|si| cell(Some(found.kind.from_si(si))));
             let further =
                 [Some(TIME.from_si(own.time)), own.left.used, own.left.surely_used, own.probability].map(cell);
             let change = list(own).replace('"', "\"\"");
-            text += &format!("{name},\"{change}\",{},{}\n", um.join(","), further.join(","));
+            text += &format!("{name},\"{change}\",{},{}\n", sizes.join(","), further.join(","));
         }
     }
     text
@@ -41,7 +43,7 @@ pub fn table(found: &Remedies) -> String {
 pub fn chart(found: &Remedies) -> Chart {
     let is_asked = found.now.left.used.is_some();
     let point = |own: &Remedy| {
-        let left = own.left.surely_used.map_or(MICRO.from_si(own.left.rms), |used| 100.0 * used);
+        let left = own.left.surely_used.map_or(found.kind.from_si(own.left.rms), |used| 100.0 * used);
         Point::new(TIME.from_si(own.time), left)
     };
     let points = |all: &[Remedy]| all.iter().map(point).collect::<Vec<Point>>();
@@ -59,7 +61,7 @@ pub fn chart(found: &Remedies) -> Chart {
     }
     let y = match is_asked {
         true => Axis::new("part of the tolerance that is used", "%"),
-        false => Axis::new("root mean square of the error", MICRO.unit),
+        false => Axis::new("root mean square of the error", found.kind.unit),
     };
     Chart {
         name: "remedies".into(),

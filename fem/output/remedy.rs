@@ -19,7 +19,7 @@ use super::text::titled;
 use crate::correct::Correction;
 use crate::model::Model;
 use crate::remedy::{Change, Remedies, Remedy};
-use crate::units::{MICRO, TIME};
+use crate::units::TIME;
 
 /// The remedies of a model.
 pub struct RemedyAnswer<'a> {
@@ -41,7 +41,7 @@ impl Answer for RemedyAnswer<'_> {
         let of_parts = if found.parts > 1 { format!(" of all {} parts", found.parts) } else { String::new() };
         let mut blocks = vec![
             Block::Sentence(format!("{title}: what to change{offsets}")),
-            Block::Sentence(format!("errors in {}, minutes{of_parts} beside what they take now", MICRO.unit)),
+            Block::Sentence(format!("errors in {}, minutes{of_parts} beside what they take now", found.kind.unit)),
         ];
         let now = Remedy { changes: Vec::new(), ..found.now.clone() };
         let own = [("as it is", "", "", &now)].into_iter().map(|(a, b, c, r)| self.row(&[a, b, c], r));
@@ -167,13 +167,13 @@ impl RemedyAnswer<'_> {
     }
 
     fn row(&self, words: &[&str], own: &Remedy) -> Vec<Cell> {
-        let um = |si: f64| {
-            let value = MICRO.from_si(si);
+        let size = |si: f64| {
+            let value = self.found.kind.from_si(si);
             Cell::Number(number::fixed(value, 2), value)
         };
         let minutes = TIME.from_si(own.time);
         let is_now = own.changes.is_empty();
-        let gain = MICRO.from_si(self.found.gain(own));
+        let gain = self.found.kind.from_si(self.found.gain(own));
         let percent = |part: f64| Cell::Number(format!("{} %", number::fixed(100.0 * part, 0)), part);
         let words = words.iter().map(|own| Cell::Text((*own).into()));
         let [gain, minutes] = [(gain, 2), (minutes, 1)].map(|(value, decimals)| match is_now {
@@ -181,7 +181,7 @@ impl RemedyAnswer<'_> {
             false => Cell::Number(number::signed(value, decimals), value),
         });
         let asked = own.left.surely_used.map(|used| [percent(used), own.probability.map_or(Cell::Missing, percent)]);
-        let numbers = [um(own.left.rms), um(own.left.worst), gain, minutes];
+        let numbers = [size(own.left.rms), size(own.left.worst), gain, minutes];
         words.chain(numbers).chain(asked.into_iter().flatten()).collect()
     }
 
@@ -200,7 +200,11 @@ impl RemedyAnswer<'_> {
             names.dedup();
             names.join(", ")
         };
-        let mut all: Vec<String> = self.correction.and_then(|own| bands::failure(&own.band)).into_iter().collect();
+        let mut all: Vec<String> = self
+            .correction
+            .and_then(|own| bands::failure(&own.band, self.model.process.size_kind()))
+            .into_iter()
+            .collect();
         if found.looked_at < found.parts {
             let parts = (found.looked_at, found.parts);
             all.push(format!("{} of {} parts were looked at, evenly from the first to the last", parts.0, parts.1));

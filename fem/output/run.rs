@@ -35,7 +35,7 @@ impl Answer for RunAnswer<'_> {
         if let Some(band) = band {
             text += &labelled("95 % band", &bands::lines(model, band));
         }
-        if let Some(failure) = band.and_then(bands::failure) {
+        if let Some(failure) = band.and_then(|band| bands::failure(band, model.process.size_kind())) {
             text += &format!("\ncaution: {failure}\n");
         }
         let own = measurement::at_work(&model.source.name, &model.measurement, &*model.process, None);
@@ -76,7 +76,8 @@ impl Answer for RunAnswer<'_> {
 
     /// Machine and contours, then curves and maps.
     fn figures(&self) -> Vec<(String, Svg)> {
-        drawings(self.1).into_iter().chain(plots::predicted(self.0, self.1, self.2).iter().map(named)).collect()
+        let charts = plots::predicted(self.0, self.1, self.2).into_iter().chain(plots::parts(self.0, self.1));
+        drawings(self.1).into_iter().chain(charts.map(|chart| named(&chart))).collect()
     }
 
     /// `profile.csv`, further tables as `NAME.csv`, `bands.csv` where values are known roughly, the animation as

@@ -266,9 +266,20 @@ impl<D: Definition> Assembled<D> {
         self.failure.clone().map_or(Ok(()), Err)
     }
 
-    /// Adds formula effects, takes datum directions out, and refuses what is so many times beyond what is believable.
+    /// What an instrument shows of every row, formula effects and all.
+    fn shown(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        let gauged = D::gauged(&self.setup, rows);
+        let observed = gauged.as_ref().map_or(rows, |gauged| &gauged.profile);
+        let mut values = self.observed(observed)?;
+        self.add_formulas(observed, &mut values);
+        Ok(match gauged {
+            Some(gauged) => gauged.read(&values),
+            None => values,
+        })
+    }
+
+    /// Takes datum directions out, and refuses what is so many times beyond what is believable.
     fn completed(&self, mut values: Vec<f64>, rows: &Rows, times: f64) -> Result<Vec<f64>, Failure> {
-        self.add_formulas(rows, &mut values);
         D::datum_directions(&self.setup, rows).iter().for_each(|direction| direction.take_out(&mut values));
         self.believable(&values, rows, times)?;
         Ok(values)
@@ -355,15 +366,19 @@ impl<D: Definition> ForwardModel for Assembled<D> {
         }
         let programme = self.programme();
         let values = match &self.stages[..] {
-            [only] => D::predict(&only.machine, programme, progress)?,
-            _ => self.observed(programme)?,
+            [only] if D::gauged(&self.setup, programme).is_none() => {
+                let mut values = D::predict(&only.machine, programme, progress)?;
+                self.add_formulas(programme, &mut values);
+                values
+            }
+            _ => self.shown(programme)?,
         };
         self.completed(values, programme, 1.0)
     }
 
     fn observe(&self, rows: &Rows) -> Result<Vec<f64>, Failure> {
         self.possible()?;
-        self.completed(self.observed(rows)?, rows, MEASURED)
+        self.completed(self.shown(rows)?, rows, MEASURED)
     }
 
     fn doubts(&self, rows: &Rows) -> Result<Vec<String>, Failure> {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::{
     Active, Advice, Allowed, AllowedWords, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded,
-    Coordinate, DatumDirection, Failure, Making, Misplaced, NoLaw, Observable, Places, Positioning, Requirement, Rows,
-    RunReport, Spot, UnitRole,
+    Coordinate, DatumDirection, Failure, Gauged, Making, Misplaced, NoLaw, Observable, Places, Positioning,
+    Requirement, Rows, RunReport, Spot, UnitRole,
 };
 use crate::gcode::Workpiece;
 use crate::input::Reader;
@@ -85,6 +85,11 @@ pub trait Definition: Sync + Sized + 'static {
     /// Directions of the rows that the way of measuring sets to zero. As a rule there are none.
     fn datum_directions(_setup: &Self::Setup, _rows: &Rows) -> Vec<DatumDirection> {
         Vec::new()
+    }
+
+    /// How an instrument reads these rows off others; as a rule it shows what `observe` gives.
+    fn gauged(_setup: &Self::Setup, _rows: &Rows) -> Option<Gauged> {
+        None
     }
 
     /// What a drawing allows the first observable at every place, with the words for it, where it asks no more.

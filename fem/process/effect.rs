@@ -168,6 +168,8 @@ pub struct Parameter {
     pub period: Option<f64>,
     /// Whether the law is a step in it, which numbers parts or the like: between whole numbers it has no slope.
     pub is_step: bool,
+    /// The values of what is observed (SI) between which a shape of the instrument's scale is told, if it is one.
+    pub over: Option<[f64; 2]>,
 }
 
 /// The value of a parameter at which its effect vanishes.
@@ -283,6 +285,7 @@ impl Parameter {
             along: None,
             period: None,
             is_step: false,
+            over: None,
         }
     }
 
@@ -377,6 +380,7 @@ impl Parameter {
             along: Some(Name::new(along)),
             period: None,
             is_step: false,
+            over: None,
         }
     }
 

@@ -12,6 +12,7 @@ use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::progress::Progress;
 use crate::tolerance::Limits;
+use crate::units::{Kind, MICRO, SMALL_ANGLE};
 
 /// A way in which the system makes or moves something.
 pub trait Process: Sync {
@@ -24,6 +25,13 @@ pub trait Process: Sync {
     /// Quantities that it predicts and that can be measured. Observables of one dimension are two ways to tell the
     /// same, and a file has one of them; those of different dimensions may stand side by side.
     fn observables(&self) -> &[Observable];
+
+    /// Kind in which sizes of its errors are told, whatever is observed: an angle where angles alone are, else micrometres.
+    #[doc(hidden)]
+    fn size_kind(&self) -> Kind {
+        let is_angle = self.observables().iter().all(|observable| observable.error_kind() == SMALL_ANGLE);
+        if is_angle { SMALL_ANGLE } else { MICRO }
+    }
 
     /// The coordinates and conditions under which it is measured.
     #[doc(hidden)]

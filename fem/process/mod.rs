@@ -19,6 +19,7 @@ pub mod estimates;
 mod failure;
 mod figure;
 pub mod formula_effect;
+mod gauged;
 mod grid;
 mod interface;
 mod making;
@@ -54,6 +55,7 @@ pub use effect::{Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral,
 pub use failure::Failure;
 pub use figure::{Datum, Figure, extremes, first_extreme, range, spread};
 pub use formula_effect::{FormulaLaw, Meaning};
+pub use gauged::Gauged;
 pub use grid::{Cell, Field, Grid};
 pub use interface::{ForwardModel, Process, System};
 pub use making::{Making, NoLaw};
@@ -62,7 +64,7 @@ pub use observation::{
     Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows,
 };
 pub use polyline::on_lines;
-pub use positioning::{Positioning, finer};
+pub use positioning::{Positioning, ROUNDED, finer};
 pub use report::{Animation, Column, Plot, RunReport, Table};
 pub use requirement::{Characteristic, Requirement};
 pub use scene::{Arrow, Body, Ends, Frame, Role, Skin, SkinPoint, View};

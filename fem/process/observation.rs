@@ -15,18 +15,28 @@ pub struct Observable {
     pub kind: Kind,
     /// Difference from the prediction, SI, beyond which readings as a whole are in another unit or of another part.
     pub largest: f64,
+    /// Whether a sensor shows it as it is, so that the curve of its characteristic runs over it; what differs from a set
+    /// value stands anywhere on the sensor's scale.
+    pub is_sensed: bool,
 }
 
 impl Observable {
     /// An observable by its column name, what effects change in a sentence, and its kind.
     pub const fn new(name: &'static str, words: &'static str, kind: Kind) -> Self {
-        Self { name: Name::new(name), words: Name::new(words), kind, largest: f64::INFINITY }
+        Self::within(name, words, kind, f64::INFINITY)
     }
 
     /// The same with the difference from the prediction, SI, beyond which readings as a whole are in another unit or of
     /// another part.
     pub const fn within(name: &'static str, words: &'static str, kind: Kind, largest: f64) -> Self {
-        Self { name: Name::new(name), words: Name::new(words), kind, largest }
+        Self { name: Name::new(name), words: Name::new(words), kind, largest, is_sensed: false }
+    }
+
+    /// The same, which a sensor shows as it is.
+    #[must_use]
+    pub const fn sensed(mut self) -> Self {
+        self.is_sensed = true;
+        self
     }
 
     /// Kind of errors and changes of it: in micrometres those of a length, in kelvins those of a temperature.
@@ -143,6 +153,8 @@ pub enum Absent {
     /// It must be there where this observable is, by its position in the process's list, and is nothing
     /// (NaN) where another is.
     NeededBy(usize),
+    /// It must be there, but where this observable alone is, of which it is nothing (NaN).
+    NeededBut(usize),
     /// The model's value (NaN), of this observable; of another it is nothing.
     ModelOf(usize),
 }
@@ -152,7 +164,7 @@ impl Absent {
     pub fn only_of(self) -> Option<usize> {
         match self {
             Self::NeededBy(observable) | Self::ModelOf(observable) => Some(observable),
-            Self::Refused | Self::Value(_) | Self::Model => None,
+            Self::Refused | Self::Value(_) | Self::Model | Self::NeededBut(_) => None,
         }
     }
 }

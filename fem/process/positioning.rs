@@ -32,6 +32,9 @@ pub trait Positioning {
     fn screw_compliance(&self, position: f64) -> Option<f64>;
 }
 
+/// By how much targets may stand beyond an axis' travel, as a part of it: people tell a travel in round numbers.
+pub const ROUNDED: f64 = 0.02;
+
 /// Places from each target to the next, close enough to show what lies between them.
 pub fn finer(targets: &[f64]) -> Vec<f64> {
     /// Places from one target to the next.

@@ -9,7 +9,6 @@ use crate::correct::{NONE, Secants, contours};
 use crate::knowledge::Knowledge;
 use crate::model::Model;
 use crate::process::{Command, Commanded, Failure, Rows, Standing, System};
-use crate::units::MICRO;
 
 /// Steps after which an offset that is not there yet will not come.
 const MOST_STEPS: usize = 8;
@@ -127,11 +126,11 @@ fn thinned((rows, command): (Rows, Command)) -> (Rows, Command) {
     (rows.some(&own), Command::new(some, None))
 }
 
-/// The rows of a model's programme that are errors of a length; all of them where there are none.
+/// The rows of a model's programme whose errors are told as its sizes are; all of them where there are none.
 fn lengths(model: &Model) -> Rows {
     let programme = model.system.programme();
     let observables = model.process.observables();
-    let is_length = |row: &usize| observables[programme.observable[*row]].error_kind() == MICRO;
+    let is_length = |row: &usize| observables[programme.observable[*row]].error_kind() == model.process.size_kind();
     let own: Vec<usize> = (0..programme.len()).filter(is_length).collect();
     if own.is_empty() || own.len() == programme.len() { programme } else { programme.some(&own) }
 }

@@ -19,6 +19,7 @@ use crate::input::InputError;
 use crate::model::{Edit, Model};
 use crate::process::Failure;
 use crate::progress::Progress;
+use crate::units::Kind;
 use bench::{Bench, Trial};
 pub use left::Left;
 use left::Made;
@@ -51,6 +52,9 @@ pub struct Remedies {
     pub uncertain: usize,
     /// Evaluations of the model.
     pub evaluations: usize,
+    /// Kind in which errors are told.
+    #[doc(hidden)]
+    pub kind: Kind,
 }
 
 /// Settings, and what they leave.
@@ -173,6 +177,7 @@ pub fn remedies(model: &Model, limit: Option<f64>, progress: &Progress) -> Resul
         limit,
         uncertain: crate::knowledge::Knowledge::of(model).uncertain(),
         evaluations: bench.tried().len(),
+        kind: model.process.size_kind(),
     })
 }
 

@@ -21,6 +21,7 @@ pub struct Previewed {
     name: String,
     path: PathBuf,
     process: Option<ModelProcess>,
+    said: Reading,
 }
 
 impl Previewed {
@@ -29,17 +30,19 @@ impl Previewed {
     /// # Errors
     /// It is no table.
     pub fn read(&self) -> Result<Json, Refusal> {
-        let said = Reading::default();
-        let file = open(&self.path, &said)?;
-        let own = Preview::of(&file, self.process.as_ref().map(|own| &**own as &dyn Process), &said)?;
+        let said = &self.said;
+        let file = open(&self.path, said)?;
+        let own = Preview::of(&file, self.process.as_ref().map(|own| &**own as &dyn Process), said)?;
         let process = self.process.as_ref().filter(|_| own.count < MANY);
-        let fits = process.map(|process| Measurements::of_file(&file, &**process, &said).is_ok());
+        let fits = process.map(|process| Measurements::of_file(&file, &**process, said).is_ok());
         Ok(json!({
             "file": self.name,
             "headings": own.headings,
             "meant": self.process.as_ref().map(|_| own.meant),
             "rows": own.rows,
             "lines": own.count,
+            "sheets": file.sheets,
+            "told": own.told,
             "fits": fits,
         }))
     }
@@ -91,7 +94,10 @@ impl Session {
         };
         let pair = |own: &Json| Some((own[0].as_str()?.to_string(), own[1].as_str()?.to_string()));
         let columns = said["columns"].as_array().into_iter().flatten().filter_map(pair).collect();
-        Ok(Reading::of_columns(columns, decimal)?)
+        let header = said["header"].as_u64().map(|line| usize::try_from(line).ok().filter(|line| *line > 0));
+        let sheet = said["sheet"].as_str().filter(|name| !name.is_empty()).map(str::to_string);
+        let as_typed = said["as_typed"].as_bool().unwrap_or(false);
+        Ok(Reading::of_columns(columns, decimal)?.within(header, sheet).as_typed(as_typed))
     }
 
     /// Reads files of the folder; from now on they are looked at for changes.
@@ -111,14 +117,15 @@ impl Session {
         Ok(Measurements::load_all(&paths, process, said, false)?)
     }
 
-    /// The first rows of a file of the folder as they stand there, to be read.
+    /// The first rows of a file of the folder as they stand there, to be read; its headings may be said to stand in a line,
+    /// its table in a sheet.
     ///
     /// # Errors
     /// It is none, or too large.
-    pub fn to_preview(&self, name: &str) -> Result<Previewed, Refusal> {
+    pub fn to_preview(&self, name: &str, said: Reading) -> Result<Previewed, Refusal> {
         let path = self.folder.measurements(name)?;
         let process = self.now.model.as_ref().map(|model| model.process.clone());
-        Ok(Previewed { name: name.to_string(), path, process })
+        Ok(Previewed { name: name.to_string(), path, process, said })
     }
 
     /// Stores a file that was dropped on the page, under a name that nothing has yet.

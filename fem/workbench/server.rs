@@ -24,6 +24,7 @@ use super::gate::{Gate, guarded};
 use super::job::{Job, Work};
 use super::refusal::Refusal;
 use super::session::Session;
+use crate::measure::Reading;
 use crate::output::files::digits;
 
 /// Longest time in which a question has to come.
@@ -102,10 +103,12 @@ async fn answer(State(shared): State<Shared>, request: Request) -> Response {
             blocking(move || rows().map_or_else(|refusal| refused(&refusal), |rows| told(&rows))).await
         }
         (Method::GET, "preview") => {
-            let name = named(&query, "file=");
+            let [name, header, sheet] = ["file=", "header=", "sheet="].map(|key| named(&query, key));
+            let line = header.parse::<usize>().ok().map(|line| (line > 0).then_some(line));
+            let said = Reading::default().within(line, Some(sheet).filter(|name| !name.is_empty()));
             blocking(move || {
                 // The page goes on while a file is read.
-                let asked = shared.session().to_preview(&name);
+                let asked = shared.session().to_preview(&name, said);
                 asked.and_then(|asked| asked.read()).map_or_else(|refusal| refused(&refusal), |own| told(&own))
             })
             .await
@@ -152,7 +155,8 @@ fn file(name: &str) -> Response {
 
 /// What a question names.
 fn named(query: &str, key: &str) -> String {
-    percent_decode_str(query.strip_prefix(key).unwrap_or_default()).decode_utf8_lossy().into_owned()
+    let own = query.split('&').find_map(|part| part.strip_prefix(key));
+    percent_decode_str(own.unwrap_or_default()).decode_utf8_lossy().into_owned()
 }
 
 /// New states and the work that runs, as they come.
@@ -235,7 +239,8 @@ fn post(shared: &Shared, verb: &str, query: &str, body: &[u8]) -> Result<Json, R
         "open" => shared.session().open_model(text("model")?)?,
         "data" => {
             let names: Vec<String> = list("files").iter().filter_map(|own| own.as_str().map(str::to_string)).collect();
-            let is_said = said.get("columns").is_some() || said.get("decimal").is_some();
+            let of_reading = ["columns", "decimal", "header", "sheet", "as_typed"];
+            let is_said = of_reading.iter().any(|key| said.get(key).is_some());
             let reading = is_said.then(|| Session::reading(&said)).transpose()?;
             shared.session().open_data(&names, reading)?;
         }

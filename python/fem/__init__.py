@@ -9,7 +9,7 @@ from typing import Optional, Union
 
 from fem import _fem
 from fem._answer import Planned
-from fem._data import Columns, Data, asked
+from fem._data import Columns, Data, File, asked
 from fem._errors import ComputationError, DataError, Error, Fault, ModelError, Problem
 from fem._model import Diagnosis, Fit, Laws, Model, Parameter, Remedies, compare, report
 from fem._record import Record
@@ -43,6 +43,7 @@ __all__ = [
     "Diagnosis",
     "Error",
     "Fault",
+    "File",
     "Fit",
     "Laws",
     "Model",

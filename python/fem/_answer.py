@@ -51,3 +51,6 @@ class Asked(TypedDict):
     parts: list[tuple[str, Optional[str]]]
     columns: list[str]
     decimal: Optional[str]
+    header: Optional[int]
+    sheet: Optional[str]
+    as_typed: bool

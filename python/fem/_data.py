@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import datetime
 import io
 import os
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from fem._answer import Asked
 
 Data = Any
-"""A path; a data frame of pandas or polars; a table of Arrow, or whatever hands one over (`__arrow_c_stream__`,
+"""A path or a `File`; a data frame of pandas or polars; a table of Arrow, or whatever hands one over (`__arrow_c_stream__`,
 `__dataframe__`); an xarray dataset; a structured array; a mapping of columns; or several of these in a list. Columns are
 headed as in a measurement file, `x [mm]`."""
 
@@ -23,8 +24,38 @@ Columns = Union[Mapping[str, Optional[str]], Sequence[str]]
 """Which columns are meant: `{"X-Pos": "x [mm]", "T1": "temperature@x=12 mm", "comment": None}`."""
 
 
+@dataclasses.dataclass(frozen=True)
+class File:
+    """A file of measurements, and how it is to be read: what its columns mean, its decimal mark, the line of its headings
+    (from 1; 0 where there are none), the sheet of a workbook, and whether readings that look mistyped are taken as they are.
+
+    What is not said the model's ``[data]`` says, or the file itself.
+    """
+
+    path: Union[str, os.PathLike[str]]
+    columns: Columns = ()
+    decimal: Optional[str] = None
+    header: Optional[int] = None
+    sheet: Optional[str] = None
+    as_typed: bool = False
+
+    def _said(self) -> tuple[Any, ...]:
+        return self.columns, self.decimal, self.header, self.sheet, self.as_typed
+
+
 def asked(data: Data, columns: Columns = (), decimal: Optional[str] = None) -> Asked:
     """The measurements as the extension reads them."""
+    header: Optional[int] = None
+    sheet: Optional[str] = None
+    as_typed = False
+    files = [one for one in (data if isinstance(data, (list, tuple)) else [data]) if isinstance(one, File)]
+    if files:
+        if any(one._said() != files[0]._said() for one in files):
+            raise ValueError("several files are read in one way; say the same of all of them")
+        header, sheet, as_typed = files[0].header, files[0].sheet, files[0].as_typed
+        columns, decimal = columns or files[0].columns, decimal or files[0].decimal
+    if header is not None and header < 0:
+        raise ValueError(f"header is {header}; expected a line from 1, or 0 where there is none")
     if decimal not in (None, ",", "."):
         raise ValueError(f"decimal is {decimal!r}; expected ',' or '.'")
     if isinstance(columns, Mapping):
@@ -38,10 +69,19 @@ def asked(data: Data, columns: Columns = (), decimal: Optional[str] = None) -> A
         known[name] = known.get(name, 0) + 1
         if text is not None and known[name] > 1:
             parts[i] = (f"{name} {known[name]}", text)
-    return {"parts": parts, "columns": [columns] if isinstance(columns, str) else list(columns), "decimal": decimal}
+    return {
+        "parts": parts,
+        "columns": [columns] if isinstance(columns, str) else list(columns),
+        "decimal": decimal,
+        "header": header,
+        "sheet": sheet,
+        "as_typed": as_typed,
+    }
 
 
 def _part(data: Data) -> tuple[str, Optional[str]]:
+    if isinstance(data, File):
+        data = data.path
     if isinstance(data, (str, os.PathLike)):
         return os.fspath(data), None
     return type(data).__name__, csv_of(columns_of(data))

@@ -21,6 +21,15 @@ pub struct Asked {
     /// The decimal mark, `,` or `.`, where it is said.
     #[pyo3(item)]
     decimal: Option<String>,
+    /// The line of the headings, from 1, where it is said; 0 where there are none.
+    #[pyo3(item)]
+    header: Option<usize>,
+    /// The sheet of a workbook, where it is said.
+    #[pyo3(item)]
+    sheet: Option<String>,
+    /// Whether readings are taken as they are typed.
+    #[pyo3(item)]
+    as_typed: bool,
 }
 
 impl Asked {
@@ -31,7 +40,9 @@ impl Asked {
     pub fn read(&self, model: &Model, is_design: bool) -> Result<Measurements, ask::Error> {
         let process: &dyn Process = &*model.process;
         let decimal = self.decimal.as_deref().map(|mark| if mark == "," { Decimal::Comma } else { Decimal::Point });
-        let said = Reading::new(&self.columns, decimal)?.over(&model.reading);
+        let headings = self.header.map(|line| (line > 0).then_some(line));
+        let said = Reading::new(&self.columns, decimal)?.within(headings, self.sheet.clone()).as_typed(self.as_typed);
+        let said = said.over(&model.reading);
         if self.parts.iter().all(|(_, text)| text.is_none()) {
             let paths: Vec<&String> = self.parts.iter().map(|(name, _)| name).collect();
             return Measurements::load_all(&paths, process, &said, is_design).map_err(ask::Error::Data);

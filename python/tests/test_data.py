@@ -104,6 +104,24 @@ def test_other_headings_are_said(rigid: fem.Model, measured: dict[str, Any]) -> 
         rigid.compare(frame, decimal=";")
 
 
+def test_a_file_says_how_it_is_to_be_read(rigid: fem.Model, measured: dict[str, Any], tmp_path: Path) -> None:
+    frame = pd.DataFrame(measured)
+    rows = frame.to_csv(index=False)
+    path = tmp_path / "printed.csv"
+    # A number stands above the table, and headings that nobody knows.
+    head, table = rows.split("\n", 1)
+    path.write_text(f"Report;17\n\n{head.replace('x [mm]', 'Pos')}\n{table}")
+    said = fem.File(path, header=3, columns={"Pos": "x [mm]"}, as_typed=True)
+    assert rigid.compare(said).rms == pytest.approx(rigid.compare(frame).rms, rel=1e-12)
+    assert rigid.compare([said]).rms == rigid.compare(said).rms
+    with pytest.raises(ValueError, match="say the same of all"):
+        rigid.compare([said, fem.File(path)])
+    with pytest.raises(ValueError, match="header is -1"):
+        rigid.compare(fem.File(path, header=-1))
+    with pytest.raises(fem.DataError):
+        rigid.compare(fem.File(path, header=2))
+
+
 def test_a_wrong_row_is_told_with_its_line(rigid: fem.Model) -> None:
     frame = pd.DataFrame({"x [mm]": ["1", "two", "3"], "diameter_error [um]": [1.0, 2.0, 3.0]})
     with pytest.raises(fem.DataError) as caught:

@@ -8,7 +8,7 @@ export const app = {
   problems: new Map(),   // path of a value → why its text was refused
   trial: { values: new Map(), predicted: null, rms: null, moves: true, problem: null, path: null },
   // How files are to be read: what was said of columns but not sent, files as they stand, and those that were refused.
-  reading: { file: null, said: new Map(), decimal: undefined, previews: new Map(), refused: null },
+  reading: { file: null, said: new Map(), how: {}, previews: new Map(), refused: null },
   seen: { column: null, view: "residual", observable: 0, picked: null, rowsShown: 50, effect: null, more: new Set(), keys: new Set(), copied: null,
     toAdd: "", addProblem: null, program: "", addsBlocks: false, written: [], writeProblem: null },
   isLost: false,

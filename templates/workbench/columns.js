@@ -9,14 +9,15 @@ import { T } from "./texts.js";
 const MOST_LOOKED = 12;   // files of a folder that are looked into to see which fits the model
 // Units that are offered beside the usual one; any other may be written.
 const KIN = [["um", "mm", "m"], ["N", "kN"], ["s", "min", "h"], ["degC", "K"], ["deg", "rad"]];
-const NONE = { columns: [], decimal: null };
+const NONE = { columns: [], decimal: null, header: null, sheet: null, as_typed: false };
 
 const known = () => app.state.model && app.state.model.columns || [];
 const ownOf = name => known().find(c => c.name === name.split("@")[0]) || null;
 const files = () => app.reading.refused ? app.reading.refused.files : app.state.data ? app.state.data.files : [];
 /** What the server was last told of how to read these files. */
 const base = () => app.reading.refused ? app.reading.refused.reading : app.state.data && app.state.data.reading || NONE;
-const decimal = () => app.reading.decimal === undefined ? base().decimal : app.reading.decimal;
+/** What is said of the file as a whole: its decimal mark, the line of its headings, its sheet, whether it is taken as typed. */
+const how = () => ({ ...NONE, ...base(), ...app.reading.how });
 
 function parse(said) {
   const [, name, unit] = said.match(/^(.*?)\s*(?:\[(.*)\])?$/);
@@ -48,26 +49,29 @@ function reading() {
     if (own) all.set(heading, unit && own !== "-" ? `${own} [${unit.replace(/[\u00b5\u03bc]/g, "u")}]` : own);
     else all.delete(heading);
   }
-  return { columns: [...all], decimal: decimal() };
+  return { ...how(), columns: [...all] };
 }
 
 /** Forgets what was said and not sent. */
 export function forgetSaid() {
   app.reading.said.clear();
-  Object.assign(app.reading, { decimal: undefined, refused: null });
+  Object.assign(app.reading, { how: {}, refused: null });
 }
 
 // The file as it stands: asked for once for each state, and told when it has come.
 const underWay = new Map();
 function look(file) {
-  const { previews } = app.reading, { version } = app.state;
+  const { previews } = app.reading, { version } = app.state, { header, sheet } = how();
+  const asked = "preview?file=" + encodeURIComponent(file) + (header === null ? "" : "&header=" + header) + (sheet ? "&sheet=" + encodeURIComponent(sheet) : "");
   const have = previews.get(file);
-  if (have && have.version === version) return Promise.resolve(have);
-  if (!underWay.has(file)) underWay.set(file, get("preview?file=" + encodeURIComponent(file))
-    .then(found => ({ ...found, problem: null }), e => ({ headings: [], rows: [], lines: 0, problem: refusalText(e) }))
-    .then(found => { previews.set(file, { ...found, version }); redraw(); return previews.get(file); })
-    .finally(() => underWay.delete(file)));
-  return underWay.get(file);
+  if (have && have.version === version && have.asked === asked) return Promise.resolve(have);
+  // Where no table is found in a sheet, the others are still there to be chosen.
+  const none = e => ({ headings: [], rows: [], lines: 0, sheets: have ? have.sheets : [], problem: refusalText(e) });
+  if (!underWay.has(asked)) underWay.set(asked, get(asked)
+    .then(found => ({ ...found, problem: null }), none)
+    .then(found => { previews.set(file, { ...found, version, asked }); redraw(); return previews.get(file); })
+    .finally(() => underWay.delete(asked)));
+  return underWay.get(asked);
 }
 const preview = file => { look(file); return app.reading.previews.get(file) || null; };
 
@@ -90,7 +94,7 @@ export async function openFiles(names, how, said) {
     if (!(e instanceof Refusal) || !app.state.model || !names.length) { refuse(e); return false; }
     const file = names.includes(e.file) ? e.file : names.at(-1);
     const text = forPage(refusalText(e));
-    Object.assign(app.reading, { refused: { files: names, reading: how, text, file }, file, decimal: undefined });
+    Object.assign(app.reading, { refused: { files: names, reading: how, text, file }, file, how: {} });
     alarm("");
     await load();
     redraw();
@@ -155,13 +159,28 @@ const readTable = ({ columns }) => h("div", { class: "tablebox", tabindex: "0", 
     h("thead", {}, h("tr", {}, [T.column, T.columnUnit, T.heading].map(t => h("th", { scope: "col" }, t)))),
     h("tbody", {}, columns.map(c => h("tr", {}, h("td", {}, c.name), h("td", {}, unitText(c.unit) || T.none), h("td", {}, c.heading || T.none))))));
 
+/** What may be said of a file as a whole. */
+function whole({ sheets }) {
+  const { decimal, header, sheet, as_typed } = how();
+  const field = (key, text, own) => h("div", { class: "row", "data-key": key }, h("label", { for: "said-" + key }, text), own);
+  return [
+    sheets && sheets.length > 1 ? field("sheet", T.sheet, h("select", { id: "said-sheet", "data-change": "saySheet" },
+      [["", T.asRead], ...sheets.map(name => [name, name])].map(([v, name]) => h("option", { value: v, selected: (sheet || "") === v }, name)))) : null,
+    field("header", T.headingsIn, h("input", { type: "number", id: "said-header", min: 0, step: 1, size: 5, value: header === null ? "" : header, placeholder: T.asRead, "data-change": "sayHeader", "aria-describedby": "header-note" })),
+    h("p", { class: "note", id: "header-note", "data-key": "header-note" }, T.headingsNote),
+    field("decimal", T.decimalMark, h("select", { id: "said-decimal", "data-change": "sayDecimal" },
+      [["", T.asRead], ["comma", T.comma], ["point", T.point]].map(([v, name]) => h("option", { value: v, selected: (decimal || "") === v }, name)))),
+    h("div", { class: "row", "data-key": "typed" }, h("label", {}, h("input", { type: "checkbox", id: "said-typed", checked: as_typed, "data-change": "sayTyped" }), " " + T.asTyped)),
+  ];
+}
+
 export function columns() {
   const names = files(), { refused } = app.reading;
   if (!names.length) return null;
   const file = names.includes(app.reading.file) ? app.reading.file : names[0];
   const place = document.getElementById("columns");
   const found = refused || place && place.open ? preview(file) : null;
-  const isSaid = app.reading.said.size > 0 || app.reading.decimal !== undefined || base().columns.length > 0 || base().decimal !== null;
+  const isSaid = app.reading.said.size > 0 || base().columns.length > 0 || Object.entries(how()).some(([key, own]) => key !== "columns" && own !== NONE[key]);
   return h("details", { id: "columns", open: Boolean(refused) }, h("summary", {}, T.columns, isSaid && !refused ? h("span", { class: "note" }, " · " + T.isSaid) : null),
     refused ? h("div", { class: "caution refused", role: "alert", "data-key": "refused" }, h("p", {}, h("span", { "aria-hidden": "true" }, "⚠ "), T.notRead(refused.file)), h("p", { class: "lines" }, proseText(refused.text))) : null,
     h("form", { "data-submit": "reading", "data-key": "form" },
@@ -170,11 +189,10 @@ export function columns() {
         : found ? [
           h("p", { class: "note", "data-key": "hint" }, T.columnsHint),
           table(file, found),
-          h("div", { class: "row", "data-key": "decimal" }, h("label", { for: "said-decimal" }, T.decimalMark), h("select", { id: "said-decimal", "data-change": "sayDecimal" },
-            [["", T.asRead], ["comma", T.comma], ["point", T.point]].map(([v, name]) => h("option", { value: v, selected: (decimal() || "") === v }, name)))),
         ] : h("p", { class: "note", "data-key": "waits" }, T.trialWaits),
+      found ? whole(found) : null,
       h("p", { class: "acts", "data-key": "acts" },
-        found && !found.problem ? h("button", { type: "submit", class: refused ? "main" : null, id: "read-so" }, T.readSo) : null,
+        found && (!found.problem || app.reading.how.header !== undefined || app.reading.how.sheet !== undefined) ? h("button", { type: "submit", class: refused ? "main" : null, id: "read-so" }, T.readSo) : null,
         refused ? h("button", { type: "button", "data-click": "leaveRefused" }, T.leaveRefused) : null)));
 }
 
@@ -191,7 +209,10 @@ const tellsUnit = heading => /[[(/]| in \S+$/.test(heading);
 
 export const changes = {
   lookAt: e => { app.reading.file = e.value; redraw(); },
-  sayDecimal: e => { app.reading.decimal = e.value || null; redraw(); },
+  sayDecimal: e => { app.reading.how.decimal = e.value || null; redraw(); },
+  saySheet: e => { app.reading.how.sheet = e.value || null; redraw(); },
+  sayHeader: e => { app.reading.how.header = /^\d+$/.test(e.value) ? Number(e.value) : null; redraw(); },
+  sayTyped: e => { app.reading.how.as_typed = e.checked; redraw(); },
   sayColumn: e => {
     const { heading, column } = e.dataset, file = app.reading.previews.get(document.getElementById("said-file")?.value || files()[0]);
     const first = file && file.rows[0] ? file.rows[0][Number(column)] || "" : "";

@@ -59,6 +59,8 @@ export const T = {
   columnNumber: n => `column ${n}`, columnIs: text => `${text} is`, unitOf: text => `unit of ${text}`,
   asRead: "as read", asReadAs: name => `${name} (as read)`, leaveOut: "leave out", isSaid: "put right by hand",
   shownFile: "File shown", fileAsItIs: file => `${file} as it stands`,
+  sheet: "Sheet", headingsIn: "Headings in line", headingsNote: "Counted from 1 in the file; 0 where it has none, and columns are then numbers.",
+  asTyped: "Take readings that look mistyped as they are",
   decimalMark: "Decimal mark", comma: "comma", point: "point",
   firstOf: (n, all) => `The first ${n} of ${all} rows.`, allOf: n => `All ${many(n, "row", "rows")}.`,
   noTable: file => `${file} is no table that could be shown here.`,

@@ -55,13 +55,39 @@ fn targets_on_one_part_of_the_turn_are_warned_of() {
     assert!(plan.contains("each at another part of the screw's turn"), "{plan}");
 }
 
+/// Backlash is often read at one place: a dial, forwards and back, a few times.
+#[test]
+fn one_target_is_a_test() {
+    let place = Place::new();
+    let ideal = model("axis.toml").split("[effects").next().unwrap().replace("positions = 11", "positions = 1");
+    assert!(ideal.contains("positions = 1\n"), "{ideal}");
+    place.write("axis.toml", &ideal);
+    let run = place.fem(&["run", "axis.toml", "--json"]);
+    assert_eq!(run.status, 0, "{}", run.err);
+    // Play of 12 um, read to a tenth, at one place a little beyond the travel that was told in round numbers.
+    let readings = [[0.1, 12.0], [-0.1, 11.9], [0.0, 12.2], [0.1, 12.1], [-0.1, 11.8]];
+    let row = |(i, [there, back]): (usize, &[f64; 2])| format!("{0},705,+,{there},0.1\n{0},705,-,{back},0.1\n", i + 1);
+    let rows: String = readings.iter().enumerate().map(row).collect();
+    place.write("dial.csv", format!("run,position [mm],direction,deviation [um],u [um]\n{rows}"));
+    let found = place.fem(&["diagnose", "axis.toml", "--with", "dial.csv", "--json"]);
+    let json: Json = serde_json::from_str(&found.out).unwrap();
+    let missing = &json["missing"][0];
+    let alike = missing["indistinguishable_from"].to_string();
+    assert!(missing["effect"] == "backlash" || alike.contains("backlash"), "{}", found.out);
+    let table = place.fem(&["compensate", "axis.toml", "--with", "dial.csv"]);
+    assert!(table.status <= 1 && table.out.contains("reversal"), "{} {}", table.out, table.err);
+    place.write("far.csv", "run,position [mm],direction,deviation [um]\n1,750,+,0\n");
+    let far = place.fem(&["compare", "axis.toml", "--with", "far.csv"]);
+    assert!(far.status == 2 && far.err.contains("the axis travels from"), "{}", far.err);
+}
+
 /// (in the model, replaced by, part of the message, part of the remedy)
 const CASES: &[Mistake] = &[
     ("travel = \"700 mm\"", "travle = \"700 mm\"", "`travle` is no key of `axis`", "did you mean `travel`?"),
     ("\"700 mm\"", "\"-700 mm\"", "`travel` is -700 mm", "above zero"),
     ("\"700 mm\"", "\"700 N\"", "not a length", "write it in mm"),
     ("lead = \"10 mm\"", "", "`lead` is missing in `screw`", "add lead"),
-    ("positions = 11", "positions = 1", "`positions` is 1", "whole number from 2"),
+    ("positions = 11", "positions = 0", "`positions` is 0", "whole number from 1"),
     ("\"staggered\"", "\"stagered\"", "`spacing` is", "did you mean \"staggered\"?"),
     (
         "fixed_at = \"0 mm\"",

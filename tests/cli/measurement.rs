@@ -66,6 +66,11 @@ fn tables_are_added_behind_what_is_there() {
         (&["resolution"], "[measurement.resolution]\nstep = \"? um\"\n"),
         (&["gain"], "[measurement.gain]\nfactor = \"?\"\n"),
         (&["gain", "factor=1.02"], "[measurement.gain]\nfactor = 1.02\n"),
+        (&["calibration"], "[measurement.calibration]\noffset = \"? um\"\nscale = \"?\"\n"),
+        (
+            &["calibration", "bow=-0.4 +- 0.1 um", "low=-10 um", "high=10 um"],
+            "[measurement.calibration]\nlow = \"-10 um\"\nhigh = \"10 um\"\nbow = \"-0.4 +- 0.1 um\"\n",
+        ),
         (&["clock", "delay=-2 +- 1 min"], "[measurement.clock]\ndelay = \"-2 +- 1 min\"\n"),
         (
             &["alignment", "by=run", "along=position", "offset=0 um"],
@@ -125,6 +130,9 @@ fn what_cannot_be_added_is_refused() {
         (AXIS, &["jump", "from=0"], "`0` is no row", "counted from 1"),
         (AXIS, &["zero-shift", "size=1 +- 0.1 um"], "has no `+-`", "have it estimated"),
         (AXIS, &["gain", "factor=0"], "must be above zero", "leave the table out"),
+        (AXIS, &["calibration", "bow=1 um"], "between two values", "where the sensor's range ends"),
+        (AXIS, &["calibration", "bow=1 um", "low=3 um", "high=2 um"], "`high` is not above `low`", "a range"),
+        (AXIS, &["calibration", "scale=0"], "`scale` is 0", "above zero"),
         (AXIS, &["gain", "factor=2 um"], "measures a length", "the number alone"),
         (AXIS, &["outliers", "rows=12", "factor=-1"], "must be above zero", "it is 10"),
         (AXIS, &["correlated-noise", "length=0"], "must be above zero", "leave the table out"),

@@ -74,7 +74,7 @@ const CASES: &[Mistake] = &[
     ("teeth = 120", "teeth = 120\nstages = [{ driving = 0, driven = 5 }]", "`driving` is 0", "whole number from 1"),
     ("\"4 +- 1 N*m/arcsec\"", "\"4 N*m\"", "not a torsional stiffness", "write it in N*m/arcsec"),
     ("at = \"motor\"", "at = \"motor\"\nloop = \"closed\"", "leaves the drive outside", "leave `loop` out"),
-    ("positions = 12", "positions = 1", "`positions` is 1", "whole number from 2"),
+    ("positions = 12", "positions = 0", "`positions` is 0", "whole number from 1"),
     ("\"horizontal\"", "\"vertical\"", "`unbalance` needs an axis across gravity", "remove the effect"),
     (
         "at = \"motor\"",

@@ -112,12 +112,19 @@ fn what_friction_holds_is_warned_of() {
 fn forces_beyond_the_test_are_refused() {
     let place = Place::new();
     place.write("stiffness.toml", model("stiffness.toml"));
-    place.write("m.csv", "force [kN],branch,displacement [um]\n1.3,unload,9\n-0.1,load,0\n");
+    place.write("m.csv", "force [kN],branch,displacement [um]\n1.3,unload,9\n1.34,load,9\n-0.1,load,0\n");
     let answer = place.fem(&["compare", "stiffness.toml", "--with", "m.csv"]);
     assert_eq!(answer.status, 2);
     let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(told.contains("beyond the test, which ends at max_force = 1200 N"), "{told}");
+    assert!(told.contains("1340 N is beyond the test, which ends at max_force = 1200 N"), "{told}");
     assert!(told.contains("`force` is below zero"), "{told}");
+    // Where the largest force was rounded, loading ends where the rows do: both branches meet there.
+    place.write("m.csv", "force [kN],branch,displacement [um]\n1.28,load,9\n1.28,unload,9\n");
+    let rounded = place.fem(&["compare", "stiffness.toml", "--with", "m.csv", "-o", "out"]);
+    assert!(rounded.status <= 1, "{}", rounded.err);
+    let residuals = place.read("out/residuals.csv");
+    let predicted: Vec<&str> = residuals.lines().skip(1).filter_map(|line| line.split(',').nth(3)).collect();
+    assert_eq!(predicted[0], predicted[1], "{residuals}");
 }
 
 #[test]

@@ -20,6 +20,7 @@ const LAYERS: &[&str] = &[
     "series",
     "solve",
     "positioning",
+    "roundness",
     "tolerance",
     "gcode",
     "process",

@@ -141,3 +141,32 @@ fn what_the_measurement_explains_as_well_blames_no_joint() {
         .collect();
     assert!(classes.contains(&"jump"), "{classes:?}");
 }
+
+/// A spring of 0.01 N/um under weights, read three times by a sensor that shows 0.8 um too little half way of its 2 mm.
+#[test]
+fn a_sensor_that_is_bowed_is_named_and_not_told_as_certain() {
+    let model =
+        "process = \"stiffness\"\njoint = { stiffness = \"? near 0.01 N/um\" }\ntest = { max_force = \"20 N\" }\n";
+    let model = Model::parse(Source::new("spring.toml", model.to_string())).unwrap();
+    // Scatter of 0.05 um or so: the upper bits of a congruential generator.
+    let mut state = 7u64;
+    let mut scatter = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        0.2 * ((state >> 11) as f64 / (1u64 << 53) as f64 - 0.5)
+    };
+    let mut row = |i: u32| {
+        let force = f64::from(2 + 2 * (i % 10));
+        let there_is = force / 0.01;
+        let shown = there_is - 0.8 * (1.0 - (there_is / 1000.0 - 1.0).powi(2)) + scatter();
+        format!("{force},{shown:.3}\n")
+    };
+    let text = "force [N],displacement [um]\n".to_string() + &(0..30).map(&mut row).collect::<String>();
+    let measured = Measurements::parse(Source::new("weights.csv", text), &*model.process).unwrap();
+    let diagnosis = of(&model, measured);
+    let named = diagnosis.missing.iter().find(|m| m.effect.name == "calibration").expect("the sensor is named");
+    let bow = &named.estimates[0];
+    assert!((bow.value + 0.8e-6).abs() < 3.0 * bow.std.max(0.03e-6), "{:e} +- {:e}", bow.value, bow.std);
+    // A spring whose own law bends as much would show the same.
+    assert!(named.doubt.is_some() && diagnosis.verdict != Verdict::MissingEffect, "{:?}", diagnosis.verdict);
+    assert_eq!(diagnosis.missing.len(), 1);
+}

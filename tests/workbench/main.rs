@@ -185,14 +185,20 @@ fn the_pictures_of_the_book_are_taken() {
 }
 
 #[test]
-fn a_newcomer_does_five_tasks_in_a_few_clicks() {
-    for (part, most) in [("verdict", 3), ("causes", 4), ("headings", 12), ("trial", 9), ("correction", 3)] {
+fn a_newcomer_does_six_tasks_in_a_few_clicks() {
+    for (part, most) in [("verdict", 3), ("causes", 4), ("headings", 12), ("sheet", 3), ("trial", 9), ("correction", 3)]
+    {
         let Some(seen) = told("tasks.py", part) else { return };
         println!("{seen}");
         assert!(seen["clicks"].as_u64().is_some_and(|clicks| clicks <= most), "{part}: {seen:#}");
         match part {
             "causes" => fall(&json!([seen["left"]]), &STORY[3..]),
             "headings" => assert_eq!(seen["columns"].as_array().unwrap().len(), 4),
+            "sheet" => {
+                assert_eq!(seen["rows"], 108);
+                let commands = text(&seen, "commands");
+                assert!(commands.contains("--sheet Shafts") && commands.contains("--header 2"), "{seen:#}");
+            }
             "trial" => assert!(seen["used"] != seen["before"] && seen["undone"] == seen["before"], "{seen:#}"),
             "correction" => assert!(seen["names"].as_array().unwrap().len() > 2, "{seen:#}"),
             _ => assert!(text(&seen, "told").contains("does not explain"), "{seen:#}"),

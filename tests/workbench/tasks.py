@@ -1,12 +1,14 @@
-"""Five tasks of a newcomer who has read nothing, each with the clicks and keys that it takes.
+"""Six tasks of a newcomer who has read nothing, each with the clicks and keys that it takes.
 
-    tasks.py FEM [verdict | causes | headings | trial | correction]
+    tasks.py FEM [verdict | causes | headings | sheet | trial | correction]
 
 A task that the page has no means for yet answers null.
 """
 
 import contextlib
 import re
+import zipfile
+from xml.sax.saxutils import escape
 
 from person import ROOT, Error, Folder, Person, browser, expect, finish, must, opened
 
@@ -114,6 +116,51 @@ def headings(program):
                        columns=[column["name"] for column in fem.state()["data"]["columns"]])
 
 
+def workbook(path, sheets):
+    """A workbook with these sheets, each a list of rows of numbers and texts."""
+    def cell(value):
+        try:
+            return f"<c><v>{float(value)}</v></c>"
+        except ValueError:
+            return f'<c t="inlineStr"><is><t>{escape(value)}</t></is></c>'
+    main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+    of = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+    package = "http://schemas.openxmlformats.org/package/2006"
+    numbers = range(1, len(sheets) + 1)
+    listed = "".join(f'<sheet name="{name}" sheetId="{i}" r:id="r{i}"/>' for i, name in zip(numbers, sheets))
+    related = "".join(f'<Relationship Id="r{i}" Type="{of}/worksheet" Target="worksheets/sheet{i}.xml"/>' for i in numbers)
+    with zipfile.ZipFile(path, "w") as file:
+        file.writestr("[Content_Types].xml", f'<Types xmlns="{package}/content-types"><Default Extension="xml" ContentType="application/xml"/></Types>')
+        file.writestr("_rels/.rels", f'<Relationships xmlns="{package}/relationships"><Relationship Id="w" Type="{of}/officeDocument" Target="xl/workbook.xml"/></Relationships>')
+        file.writestr("xl/workbook.xml", f'<workbook xmlns="{main}" xmlns:r="{of}"><sheets>{listed}</sheets></workbook>')
+        file.writestr("xl/_rels/workbook.xml.rels", f'<Relationships xmlns="{package}/relationships">{related}</Relationships>')
+        for i, rows in zip(numbers, sheets.values()):
+            text = "".join(f"<row>{''.join(cell(value) for value in row)}</row>" for row in rows)
+            file.writestr(f"xl/worksheets/sheet{i}.xml", f'<worksheet xmlns="{main}"><sheetData>{text}</sheetData></worksheet>')
+
+
+def sheet(program):
+    """A workbook whose first table is another one, and whose headings stand below a row of numbers."""
+    folder, elsewhere = Folder("story/rigid.toml"), Folder()
+    lines = [line.split(",") for line in MEASURED.read_text().splitlines() if not line.startswith("#")]
+    other = [["year", "parts"], *[[str(2000 + i), str(10 * i)] for i in range(8)]]
+    workbook(elsewhere / "week.xlsx", {"Count": other, "Shafts": [["14", "2", "3", "4", "5"], *lines]})
+    with browser() as own, opened(program, folder / "rigid.toml") as fem:
+        person = Person(own, fem.url)
+        person.drop(elsewhere / "week.xlsx")
+        person.reads("#columns", "week.xlsx cannot be read")
+        person.choose("Sheet", "Shafts", "#columns")
+        person.reads("#columns", "Headings in line")
+        field = person.at("spinbutton", "Headings in line", "#columns")
+        field.fill("2")
+        field.press("Tab")
+        person.reads("#columns", "radial_force")
+        person.click("button", "Read it so")
+        person.reads("#head .verdict", "rms")
+        return counted(person, "a sheet and a line of headings said", told=person.text("#head .verdict"),
+                       commands=str(fem.state()["history"]), rows=fem.state()["data"]["rows"])
+
+
 def trial(program):
     folder = Folder("story/rigid.toml", "story/measured.csv")
     with browser() as own, opened(program, folder / "rigid.toml") as fem:
@@ -168,4 +215,4 @@ def correction(program):
         return counted(person, "correct the job and write the files", names=names)
 
 
-finish({"verdict": verdict, "causes": causes, "headings": headings, "trial": trial, "correction": correction})
+finish({"verdict": verdict, "causes": causes, "headings": headings, "sheet": sheet, "trial": trial, "correction": correction})

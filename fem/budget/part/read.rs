@@ -154,10 +154,11 @@ fn check(t: &Reader, model: &Model, rows: &Rows, key: impl Fn(usize) -> &'static
 /// Reads a coordinate; one that the programme runs over is not asked for.
 fn read_coordinate(t: &Reader, coordinate: &Coordinate, is_needed: bool) -> f64 {
     let Coordinate { name, about, holds, absent, .. } = coordinate;
-    let (about, absent) = (*about, *absent);
+    let about = *about;
+    let is_place = matches!(absent, Absent::Refused | Absent::NeededBut(_));
     let given = match holds {
-        Holds::Quantity(_) if absent == Absent::Refused && !is_needed => None,
-        Holds::Quantity(kind) if absent == Absent::Refused => Some(t.quantity(name.clone(), *kind, about).required()),
+        Holds::Quantity(_) if is_place && !is_needed => None,
+        Holds::Quantity(kind) if is_place => Some(t.quantity(name.clone(), *kind, about).required()),
         Holds::Quantity(kind) => t.quantity(name.clone(), *kind, about).optional(),
         Holds::Number(first) => {
             t.count(name.clone(), about).between(*first as usize, usize::MAX).optional().map(|n| n as f64)
@@ -178,7 +179,7 @@ fn read_coordinate(t: &Reader, coordinate: &Coordinate, is_needed: bool) -> f64 
     };
     match (given, absent) {
         (Some(value), _) => value,
-        (None, Absent::Value(value)) if is_needed => value,
+        (None, Absent::Value(value)) if is_needed => *value,
         (None, _) => f64::NAN,
     }
 }

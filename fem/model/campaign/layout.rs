@@ -26,8 +26,7 @@ impl Layout {
             let own = process.observables().iter().map(|o| Observable {
                 name: format!("{} of {test}", o.name).into(),
                 words: format!("{} of {test}", o.words).into(),
-                kind: o.kind,
-                largest: o.largest,
+                ..o.clone()
             });
             layout.observables.extend(own);
             layout.first.push(layout.observables.len());
@@ -47,6 +46,7 @@ impl Layout {
         let name = if is_taken { format!("{} of {process}", own.name).into() } else { own.name.clone() };
         let absent = match own.absent {
             Absent::NeededBy(observable) => Absent::NeededBy(first + observable),
+            Absent::NeededBut(observable) => Absent::NeededBut(first + observable),
             Absent::ModelOf(observable) => Absent::ModelOf(first + observable),
             other => other,
         };

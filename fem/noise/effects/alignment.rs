@@ -7,7 +7,7 @@ use super::zero_shift;
 use crate::measure::Measurements;
 
 /// An offset and a slope of the part in the instrument, anew for every group; its slopes.
-pub static ALIGNMENT: MeasurementEffect = MeasurementEffect { beside: Some(&OFFSETS), ..SLOPES };
+pub static ALIGNMENT: MeasurementEffect = MeasurementEffect { beside: &[&OFFSETS], ..SLOPES };
 
 const SLOPES: MeasurementEffect = MeasurementEffect {
     name: "alignment",
@@ -26,7 +26,7 @@ const SLOPES: MeasurementEffect = MeasurementEffect {
 static OFFSETS: MeasurementEffect = MeasurementEffect {
     size: Size::OfObservable("offset", "standard deviation of the offsets"),
     acts: Acts::Shared(zero_shift::columns),
-    beside: Some(&ALIGNMENT),
+    beside: &[&ALIGNMENT],
     ..SLOPES
 };
 

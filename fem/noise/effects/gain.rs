@@ -22,6 +22,6 @@ pub static GAIN: MeasurementEffect = MeasurementEffect {
     keys: &[OBSERVABLE],
     example: "1.02",
     parameters: 0.0,
-    acts: Acts::Shows(|factor, value| factor * value),
+    acts: Acts::Shows(|factor, value, _| (factor - 1.0) * value),
     ..MeasurementEffect::USUAL
 };

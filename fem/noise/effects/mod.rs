@@ -2,6 +2,7 @@
 //! every process.
 
 mod alignment;
+mod calibration;
 mod clock;
 mod correlated_noise;
 mod covariance;
@@ -16,6 +17,7 @@ mod wave;
 mod zero_shift;
 
 pub use alignment::ALIGNMENT;
+pub use calibration::CALIBRATION;
 pub use clock::CLOCK;
 pub use correlated_noise::CORRELATED_NOISE;
 pub use covariance::COVARIANCE;
@@ -60,6 +62,7 @@ pub static ALL: &[(&MeasurementEffect, Sought)] = &[
     (&DRIFT, Sought::Beside(drift::sought)),
     (&JUMP, Sought::Beside(jump::sought)),
     (&GAIN, Sought::Never),
+    (&CALIBRATION, Sought::Never),
     (&ALIGNMENT, Sought::Beside(alignment::sought)),
     (&CLOCK, Sought::Never),
     (&COVARIANCE, Sought::Never),

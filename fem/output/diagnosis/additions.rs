@@ -80,9 +80,15 @@ pub fn settings(missing: &Missing, fit: &Fit) -> Vec<Setting> {
     let rows = if from_line.is_some() { "from" } else { "rows" };
     let rows = (!records.is_empty()).then(|| setting(rows, Entry::Rows(records.clone())));
     let along = along.as_ref().map(|name| text("along", name.to_string()));
-    let level = effect.beside.map(|other| text(other.size.key(), "0 um".into()));
+    let zeros = effect.beside.iter().filter(|_| !effect.acts.is_reading());
+    let zeros = zeros.map(|other| text(other.size.key(), "0 um".into()));
+    let over = missing.effect.parameters.iter().find_map(|p| Some((p.over?, p.kind)));
+    let ends = over.into_iter().flat_map(|(ends, kind)| {
+        let end = |(key, si): (&str, f64)| text(key, format!("{:.6} {}", Short(kind.from_si(si)), kind.unit));
+        ["low", "high"].into_iter().zip(ends).map(end).collect::<Vec<_>>()
+    });
     let period = period.map(|(si, kind)| text("period", format!("{:.6} {}", Short(kind.from_si(si)), kind.unit)));
-    let texts = [by, along, period, observable, rows, level].into_iter().flatten();
+    let texts = [by, along, period, observable, rows].into_iter().flatten().chain(zeros).chain(ends);
     let sizes = match effect.acts.is_reading() {
         true => fitted_settings(missing, fit),
         false => missing.estimates.iter().map(size).collect(),

@@ -32,7 +32,7 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
             let fall = fall(data, d).map_or(String::new(), |fall| format!(" with {them} {fall}, and"));
             format!("partly explained: {};{fall} structure remains", names(d))
         }
-        Verdict::Unexplained if d.missing.iter().any(|m| matches!(m.cause, Cause::Law(_))) => {
+        Verdict::Unexplained if d.missing.iter().any(is_law) => {
             let fall = fall(data, d).unwrap_or_else(|| format!("the model is off by {}", errors(data, &d.after)));
             let left = match d.verdict_after {
                 Verdict::Adequate => "down to the noise",
@@ -48,6 +48,11 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
             format!("unexplained: the model is off by {left}, and no effect known here is the cause")
         }
     }
+}
+
+/// Whether it describes what is left as a law does, of the rows or of the sensor that shows them.
+fn is_law(missing: &Missing) -> bool {
+    matches!(missing.cause, Cause::Law(_)) || missing.effect.parameters.iter().any(|p| p.over.is_some())
 }
 
 /// Names of what is told: the certain ones, how many of each group, and what may be there.

@@ -36,7 +36,8 @@ pub fn sections(subject: &Subject) -> Vec<Section> {
     let head = ["effect", "changes", "rms", "from", "to", "unit"].map(Column::wide);
     let caption = "The prediction with all effects less that without one of them".into();
     let shares = Table { caption, is_sortable: true, ..Table::new(head, run.contributions.iter().map(share)) };
-    let mut changes = vec![html::table(&shares)];
+    let parts = html::figures(plots::parts(model, run).iter().map(named));
+    let mut changes = vec![parts, html::table(&shares)];
     // Where causes have cards, their curves stand there.
     if !is_completed {
         changes.push(html::figures(plots::changes(model, &run.contributions).iter().map(|(_, c)| named(c))));

@@ -68,7 +68,7 @@ impl Layout {
             .collect();
         // The abscissa is what every row must say; the others stay in the order of the process.
         let needed = |i: usize| match coordinates[i].absent {
-            Absent::Refused if !is_word(&coordinates[i]) => 0,
+            Absent::Refused | Absent::NeededBut(_) if !is_word(&coordinates[i]) => 0,
             Absent::NeededBy(_) => 1,
             _ => 2,
         };

@@ -12,5 +12,5 @@ mod residuals;
 pub use corrected::corrected;
 pub use law::{Said, law};
 pub use measured::{Judged, Rows, agreement, measured};
-pub use predicted::{changes, predicted, signatures};
+pub use predicted::{changes, parts, predicted, signatures};
 pub use residuals::{along, maps};

@@ -121,6 +121,52 @@ pub fn changes(model: &Model, contributions: &[Contribution]) -> Vec<(Name, Char
     charts
 }
 
+/// What each effect adds to what is observed, in one figure for each observable that several effects change: of the last of
+/// the groups, where what grows has grown most; the largest effects, and all of them together.
+pub fn parts(model: &Model, run: &Run) -> Vec<Chart> {
+    /// Effects with a colour of their own; the next colour is that of all together.
+    const MOST: usize = 5;
+    let observables = model.process.observables();
+    let chart = |layout: &Layout| {
+        let own = || run.contributions.iter().filter(|c| c.observable == layout.observable);
+        let ideal = own().find(|c| c.name == "ideal")?;
+        let mut effects: Vec<&Contribution> = own().filter(|c| c.name != "ideal").collect();
+        if effects.len() < 2 || layout.is_loop() {
+            return None;
+        }
+        effects.sort_by(|a, b| b.rms.total_cmp(&a.rms));
+        let left_out = effects.len().saturating_sub(MOST);
+        effects.truncate(MOST);
+        let kind = observables[layout.observable].error_kind();
+        let group = *layout.chosen().last()?;
+        let factor = kind.canonical().factor;
+        let of = |si: &dyn Fn(usize) -> f64| layout.points(group, &|row| si(row) / factor, &|_| f64::NAN);
+        let line = |(colour, effect): (usize, &&Contribution)| {
+            let change = |row: usize| effect.changes.get(row).copied().unwrap_or(f64::NAN);
+            Series::new(&*effect.name, colour, Form::Line, of(&change))
+        };
+        let whole = |row: usize| {
+            let predicted = run.prediction.get(layout.rows[row]);
+            predicted.zip(ideal.changes.get(row)).map_or(f64::NAN, |(all, ideal)| all - ideal)
+        };
+        let together = Series::new("together", MOST, Form::Dashed, of(&whole));
+        let series = [together].into_iter().chain(effects.iter().enumerate().map(line)).collect();
+        let (x, mut y) = layout.axes();
+        (y.name, y.unit) = (format!("change of {}", y.name), kind.unit.to_string());
+        let at = Some(&layout.labels[group]).filter(|label| !label.is_empty());
+        let at = at.map_or(String::new(), |label| format!(", {label}"));
+        let more = match left_out {
+            0 => String::new(),
+            1 => "; one that is smaller is not drawn".into(),
+            several => format!("; {several} that are smaller are not drawn"),
+        };
+        let title = format!("what each cause adds to {}{at}", layout.value.name);
+        let note = format!("each: the prediction less that without it; together: less that of the ideal machine{more}");
+        Some(Chart { name: format!("parts{}", layout.end), title, note, plane: Plane::Curves { x, y, series } })
+    };
+    layouts(model, &model.system.programme()).iter().filter_map(chart).collect()
+}
+
 /// Change by each effect along the curve: the text of an SVG file for each contribution but the ideal system's.
 pub fn signatures(model: &Model, contributions: &[Contribution]) -> Vec<String> {
     changes(model, contributions).iter().map(|(_, chart)| draw(chart).file()).collect()

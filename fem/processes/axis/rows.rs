@@ -3,8 +3,8 @@
 use super::setup::Setup;
 use crate::positioning::{Approach, Direction, Measures, Tolerance};
 use crate::process::{
-    Absent, CandidateExperiment, Controller, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows,
-    Values, finer,
+    Absent, CandidateExperiment, Controller, Coordinate, Holds, Misplaced, Observable, Places, Positioning, ROUNDED,
+    Rows, Values, finer,
 };
 use crate::units::{FORCE, LENGTH, MICRO, TIME};
 
@@ -61,7 +61,7 @@ pub fn approach(rows: &Rows, row: usize) -> Approach {
 /// Rows that no test of this axis can give.
 pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     let [from, to] = [setup.from, setup.from + setup.travel];
-    let slack = 1e-9 * setup.travel;
+    let slack = ROUNDED * setup.travel;
     let check = |row: usize| {
         let (time, known) = (rows.columns[TIME_OF_ROW][row], setup.known_until());
         if rows.get(PULL, row).is_some_and(|pull| pull < 0.0) {

@@ -167,10 +167,13 @@ impl Setup {
         self.warmth.as_ref().map_or(f64::INFINITY, |warmth| warmth.temperature.known_until())
     }
 
-    /// The targets of the model's own test, rising, m.
+    /// The targets of the model's own test, rising, m; a single one stands in the middle.
     pub fn targets(&self) -> Vec<f64> {
         /// The golden ratio's part: the parts of a turn that follow from it lie as evenly as any.
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        if self.test.positions == 1 {
+            return vec![self.from + 0.5 * self.travel];
+        }
         let last = (self.test.positions - 1) as f64;
         let at = |i: usize| {
             let part = i as f64 / last;
@@ -218,7 +221,7 @@ impl Test {
 }
 
 fn read_test(t: &Reader) -> Test {
-    let positions = t.count("positions", "targets along the travel").between(2, 10_000).or(USUAL.positions);
+    let positions = t.count("positions", "targets along the travel").between(1, 10_000).or(USUAL.positions);
     let runs = t.count("runs", "runs, each forwards and back").between(1, 10_000).or(USUAL.runs);
     if 2 * positions * runs > MOST_ROWS {
         let message = format!("{positions} targets in {runs} runs there and back are more than {MOST_ROWS} rows");

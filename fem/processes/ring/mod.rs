@@ -10,6 +10,8 @@ pub(crate) mod circle;
 mod drawn;
 mod effects;
 mod forward;
+mod gauged;
+mod instrument;
 pub(crate) mod jaws;
 mod machine;
 mod report;
@@ -18,6 +20,7 @@ pub(crate) mod rows;
 mod setup;
 
 pub use drawn::Drawn;
+pub use instrument::{Gauge, Instrument};
 pub use machine::{BorePoint, Machine};
 pub use response::MeshSize;
 pub use setup::{Body, Lobe, Reference, Setup};
@@ -27,7 +30,7 @@ use std::sync::Arc;
 use crate::input::Reader;
 use crate::process::{
     Advice, Allowed, AllowedWords, Answers, CandidateExperiment, CatalogueEffect, Command, Commanded, Coordinate,
-    DatumDirection, Definition, Failure, Forward, Limit, Misplaced, Observable, Places, Rows, RunReport, Spot,
+    DatumDirection, Definition, Failure, Forward, Gauged, Limit, Misplaced, Observable, Places, Rows, RunReport, Spot,
 };
 
 /// The process `ring`.
@@ -103,6 +106,10 @@ impl Definition for Ring {
 
     fn datum_directions(setup: &Setup, rows: &Rows) -> Vec<DatumDirection> {
         rows::datum_directions(setup, rows)
+    }
+
+    fn gauged(setup: &Setup, rows: &Rows) -> Option<Gauged> {
+        gauged::gauged(setup, rows)
     }
 
     fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperiment> {

@@ -1,5 +1,5 @@
-//! Deviations of the bore as they are measured: where around which set-up, in which state, and how it was
-//! clamped and bored.
+//! Deviations, diameters and roundness of the bore as they are measured: where around which set-up, in which state, and
+//! how it was clamped and bored.
 
 use std::collections::HashMap;
 
@@ -13,8 +13,18 @@ use crate::units::{ANGLE, FORCE, MICRO, SPINDLE_SPEED};
 /// No part is as far off, m.
 const FAR_OFF: f64 = 5e-3;
 
-/// The radial deviation of the bore, positive outwards.
-pub const OBSERVABLES: &[Observable] = &[Observable::within("deviation", "the bore", MICRO, FAR_OFF)];
+/// The radial deviation of the bore, positive outwards; what a bore gauge shows more than the set diameter; peak to valley
+/// from the least-squares circle.
+pub const OBSERVABLES: &[Observable] = &[
+    Observable::within("deviation", "the bore", MICRO, FAR_OFF),
+    Observable::within("diameter_error", "the diameter of the bore", MICRO, FAR_OFF),
+    Observable::within("RONt", "the roundness of the bore", MICRO, FAR_OFF),
+];
+
+/// Positions in [`OBSERVABLES`].
+pub const DEVIATION: usize = 0;
+pub const DIAMETER: usize = 1;
+pub const RONT: usize = 2;
 
 /// Positions in [`COORDINATES`]: the angle from jaw 1.
 pub const ANGLE_OF_ROW: usize = 0;
@@ -33,7 +43,7 @@ pub const ORIENTATION: usize = 6;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
-    Coordinate::new("angle", "from jaw 1", Holds::Quantity(ANGLE), Absent::Refused),
+    Coordinate::new("angle", "from jaw 1", Holds::Quantity(ANGLE), Absent::NeededBut(RONT)),
     Coordinate::new(
         "state",
         "bored and released, or clamped and not yet bored",
@@ -67,7 +77,7 @@ fn set_up(setup: &Setup, run: f64, angles: Vec<f64>) -> Rows {
     for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed()), (RUN, run)] {
         columns[column].fill(value);
     }
-    let observable = Values::shared(0, angles.len());
+    let observable = Values::shared(DEVIATION, angles.len());
     columns[ANGLE_OF_ROW] = angles.into();
     Rows { columns, observable }
 }
@@ -112,7 +122,7 @@ pub fn places(setup: &Setup, rows: &Rows) -> Places {
 }
 
 /// The rows of each set-up: equal run, state, jaw force and spindle speed.
-fn set_ups(rows: &Rows) -> Vec<Vec<usize>> {
+pub fn set_ups(rows: &Rows) -> Vec<Vec<usize>> {
     let mut numbers: HashMap<[u64; 4], usize> = HashMap::new();
     let mut set_ups: Vec<Vec<usize>> = Vec::new();
     for row in 0..rows.len() {
@@ -131,7 +141,11 @@ pub fn datum_directions(setup: &Setup, rows: &Rows) -> Vec<DatumDirection> {
     match setup.reference {
         Reference::LeastSquaresCircle => {
             let angles = rows.columns[ANGLE_OF_ROW].to_vec();
-            set_ups(rows).iter().flat_map(|own| circle::directions(own, &angles)).collect()
+            // A diameter has no circle that it is measured from.
+            let traced =
+                |own: &Vec<usize>| own.iter().copied().filter(|row| rows.observable[*row] == DEVIATION).collect();
+            let traces: Vec<Vec<usize>> = set_ups(rows).iter().map(traced).collect();
+            traces.iter().flat_map(|own| circle::directions(own, &angles)).collect()
         }
         Reference::Absolute => Vec::new(),
     }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::allowed::ALLOWED;
 use super::circle::evenly;
 use super::drawn::{Drawn, Held};
+use super::instrument::Instrument;
 use super::response::{MeshSize, Proportions, Response};
 use crate::input::{Cache, Reader};
 use crate::material::Material;
@@ -82,6 +83,8 @@ pub struct Setup {
     pub responses: Arc<Cache<Proportions, Response, 16>>,
     /// Circle that deviations are measured from.
     pub reference: Reference,
+    /// Filter and gauge.
+    pub instrument: Instrument,
     /// What the drawing allows.
     pub allowed: Allowed,
     /// Evenly spaced angles at which the bore is predicted.
@@ -138,7 +141,7 @@ impl Setup {
         });
         let (spindle_speed, force_per_depth, cutting_force) = cut.unwrap_or_default();
         let body = read_body(model, jaws, radii);
-        let (reference, points) = read_measurement(model);
+        let (reference, instrument, points) = read_measurement(model);
         let allowed = model
             .optional_table("tolerance", "what the drawing asks of the bore", |t| Allowed::read(t, &ALLOWED))
             .unwrap_or_default();
@@ -163,6 +166,7 @@ impl Setup {
             body,
             responses: model.kept(),
             reference,
+            instrument,
             allowed,
             points,
         }
@@ -270,14 +274,15 @@ fn read_cells(t: &Reader, jaws: usize, radial: usize) -> MeshSize {
     size
 }
 
-fn read_measurement(model: &Reader) -> (Reference, usize) {
-    let usual = (Reference::LeastSquaresCircle, 360);
+fn read_measurement(model: &Reader) -> (Reference, Instrument, usize) {
+    let usual = (Reference::LeastSquaresCircle, Instrument::default(), 360);
     let read = |t: &Reader| {
         let about = "what deviations are measured from";
         let reference = t.choice("reference", about, Reference::WORDS).or_first(usual.0);
         (
             reference,
-            t.count("points", "evenly spaced angles at which the bore is predicted").between(8, 100_000).or(usual.1),
+            Instrument::read(t),
+            t.count("points", "evenly spaced angles at which the bore is predicted").between(8, 100_000).or(usual.2),
         )
     };
     model.optional_table("measurement", "how the bore is measured", read).unwrap_or(usual)

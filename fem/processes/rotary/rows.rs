@@ -3,7 +3,7 @@
 use super::setup::Setup;
 use crate::positioning::{Approach, Direction, Measures, Tolerance};
 use crate::process::{
-    Absent, Controller, Coordinate, Holds, Misplaced, Observable, Places, Positioning, Rows, Values, finer,
+    Absent, Controller, Coordinate, Holds, Misplaced, Observable, Places, Positioning, ROUNDED, Rows, Values, finer,
 };
 use crate::units::{ANGLE, SMALL_ANGLE, TIME, TORQUE};
 
@@ -67,7 +67,7 @@ pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
 /// Rows that no test of this axis can give.
 pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     let [from, to] = [setup.from, setup.from + setup.range];
-    let slack = 1e-9 * setup.range;
+    let slack = ROUNDED * setup.range;
     let check = |row: usize| {
         if rows.columns[TIME_OF_ROW][row] < 0.0 {
             return Some(Misplaced { row, coordinate: TIME_OF_ROW, message: "`time` is below zero".into() });

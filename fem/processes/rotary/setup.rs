@@ -143,10 +143,13 @@ impl Setup {
         self.point(angle + FRAC_PI_2, 1.0, 0.0)
     }
 
-    /// The targets of the model's own test, rising, rad.
+    /// The targets of the model's own test, rising, rad; a single one stands in the middle.
     pub fn targets(&self) -> Vec<f64> {
         /// The golden ratio's part: the parts of a period that follow from it lie as evenly as any.
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        if self.test.positions == 1 {
+            return vec![self.from + 0.5 * self.range];
+        }
         let last = (self.test.positions - 1) as f64;
         let step = self.range / last;
         let room = self.drive.shortest_period().unwrap_or(step).min(0.5 * step);
@@ -168,7 +171,7 @@ impl Test {
 }
 
 fn read_test(t: &Reader) -> Test {
-    let positions = t.count("positions", "targets along the range").between(2, 10_000).or(USUAL.positions);
+    let positions = t.count("positions", "targets along the range").between(1, 10_000).or(USUAL.positions);
     let runs = t.count("runs", "runs, each forwards and back").between(1, 10_000).or(USUAL.runs);
     if 2 * positions * runs > MOST_ROWS {
         let message = format!("{positions} targets in {runs} runs there and back are more than {MOST_ROWS} rows");

@@ -6,7 +6,7 @@ use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Misplaced, 
 use crate::units::{FORCE, MICRO};
 
 /// The displacement by which the joint gives way.
-pub const OBSERVABLES: &[Observable] = &[Observable::new("displacement", "the displacement", MICRO)];
+pub const OBSERVABLES: &[Observable] = &[Observable::new("displacement", "the displacement", MICRO).sensed()];
 
 /// Positions in [`COORDINATES`]: the force.
 pub const FORCE_OF_ROW: usize = 0;
@@ -24,6 +24,14 @@ pub const COORDINATES: &[Coordinate] = &[
     ),
 ];
 
+/// By how much a largest force may be told too small, as a part of it: people round.
+const ROUNDED: f64 = 0.1;
+
+/// The force at which loading ended, N: that of the model, or where rows go on beyond it the largest of theirs.
+pub fn reached(max_force: f64, rows: &Rows) -> f64 {
+    rows.columns[FORCE_OF_ROW].iter().fold(max_force, |most, force| most.max(force.abs()))
+}
+
 /// The branch of a row.
 pub fn branch(rows: &Rows, row: usize) -> Branch {
     if rows.columns[BRANCH][row] == Branch::Unload.word() { Branch::Unload } else { Branch::Load }
@@ -37,7 +45,7 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
             f if f < 0.0 && setup.loading == Loading::FromZero => {
                 "`force` is below zero; a test with loading = \"reversed\" has such".to_string()
             }
-            f if f.abs() > setup.max_force * (1.0 + 1e-9) => {
+            f if f.abs() > setup.max_force * (1.0 + ROUNDED) => {
                 let [force, most] = [f, setup.max_force].map(|f| FORCE.shown(f));
                 format!("{force} is beyond the test, which ends at max_force = {most}")
             }

@@ -125,7 +125,7 @@ pub fn refuse_contradictions(model: &Reader, boundaries: &[Boundary]) {
 }
 
 /// A temperature (K) of an edge or beside it, constant or recorded.
-fn temperature(t: &Reader, key: &'static str, about: &'static str, run: Along) -> Option<History> {
+pub fn temperature(t: &Reader, key: &'static str, about: &'static str, run: Along) -> Option<History> {
     let given = t.quantity(key, TEMPERATURE, about).estimated(estimates::TEMPERATURE).optional_varying(run)?;
     refuse_impossible(t, key, given.least());
     Some(History::from(given))

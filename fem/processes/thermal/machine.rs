@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::boundary::{Boundary, Condition};
 use super::follow::Look;
 use super::setup::{Setup, Time};
+use super::surroundings::Surroundings;
 use crate::process::{self, Command};
 use crate::solve::rod::{History, PointSource, Swing};
 
@@ -75,6 +76,12 @@ impl Machine {
         History::Sum(parts.chain(self.drifts.iter().copied().map(History::Swing)).collect())
     }
 
+    /// The same of what holds the base.
+    pub fn around_base(&self) -> History {
+        let own = |own: &History| History::Sum(vec![own.clone(), History::Constant(-self.setup.start)]);
+        self.setup.at_base.as_ref().map_or_else(|| self.around(), own)
+    }
+
     /// Time constant of what shows a look, s: only temperatures are late.
     pub fn lag_of(&self, look: Look) -> f64 {
         if matches!(look, Look::Rise { .. }) { self.lag } else { 0.0 }
@@ -83,6 +90,8 @@ impl Machine {
     /// Whether the body feels the temperature of its surroundings.
     pub fn is_open(&self) -> bool {
         let loses = |edge: &Boundary| matches!(edge.condition, Condition::Convection { ambient: None, .. });
-        self.convection > 0.0 || self.base > 0.0 || self.setup.boundaries.iter().any(loses)
+        let is_told = |s: &Surroundings| s.coefficient.is_some_and(|film| film > 0.0);
+        let has_film = self.setup.sections.iter().any(is_told);
+        self.convection > 0.0 || self.base > 0.0 || has_film || self.setup.boundaries.iter().any(loses)
     }
 }

@@ -22,6 +22,7 @@ pub(crate) mod rows;
 pub(crate) mod setup;
 mod source;
 mod steps;
+mod surroundings;
 
 pub use machine::Machine;
 pub use setup::Setup;

@@ -75,7 +75,7 @@ fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Vec<Condition> {
     }
     if let (true, Some([_, height])) = (machine.base > 0.0, plane.size) {
         let coefficient = machine.base / (height * plane.width);
-        all.push(Condition::Convection { sides: "left".into(), coefficient, ambient: around });
+        all.push(Condition::Convection { sides: "left".into(), coefficient, ambient: machine.around_base() });
     }
     for PointSource { at, power, .. } in &machine.sources {
         all.push(Condition::Source { shares: section(mesh, *at), power: power.clone() });

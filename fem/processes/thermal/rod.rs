@@ -1,20 +1,55 @@
 //! A heated rod.
 
+use std::f64::consts::PI;
+
 use super::follow::{Followed, Look, Watch, unsolvable};
 use super::machine::Machine;
+use super::surroundings::{Side, Surroundings};
 use crate::process::{Failure, Segment};
 use crate::solve::conduction::Run;
-use crate::solve::rod::{Joint, Probe, Rod, RodPiece, RodSystem, Sensor, Stepping, Track};
+use crate::solve::rod::{Film, History, Joint, Probe, Rod, RodPiece, RodSystem, Sensor, Stepping, Track};
+
+/// Number of the surroundings of all that has no others.
+const ROOM: usize = 0;
+/// Number of those of the base, where they are others.
+const BASE: usize = 1;
+/// Number of those of the first section.
+const FIRST: usize = 2;
 
 /// The rod of a machine.
 fn rod(machine: &Machine, segments: &[Segment]) -> Rod {
-    let material = &machine.setup.material;
+    let (material, sections) = (&machine.setup.material, &machine.setup.sections);
     let piece = |s: &Segment| RodPiece {
         length: s.length,
         heat_capacity: material.density * material.specific_heat * s.section.area(),
         conductance: material.conductivity * s.section.area(),
-        loss: machine.convection * std::f64::consts::PI * s.section.diameter,
+        loss: 0.0,
     };
+    let mut films = Vec::new();
+    let mut start = 0.0;
+    for Segment { length, section } in segments {
+        let own = [start, start + length];
+        start = own[1];
+        let mut film = |ends: [f64; 2], around: usize, coefficient: f64, diameter: f64| {
+            let ends = [ends[0].max(own[0]), ends[1].min(own[1])];
+            if ends[0] < ends[1] && coefficient > 0.0 {
+                films.push(Film { ends, loss: coefficient * PI * diameter, around });
+            }
+        };
+        let mut free = own[0];
+        let mut outside: Vec<(usize, &Surroundings)> =
+            sections.iter().enumerate().filter(|(_, s)| s.side == Side::Outside).collect();
+        outside.sort_by(|a, b| a.1.ends[0].total_cmp(&b.1.ends[0]));
+        for (number, s) in outside {
+            film([free, s.ends[0]], ROOM, machine.convection, section.diameter);
+            film(s.ends, FIRST + number, s.coefficient.unwrap_or(machine.convection), section.diameter);
+            free = free.max(s.ends[1]);
+        }
+        film([free, own[1]], ROOM, machine.convection, section.diameter);
+        for (number, s) in sections.iter().enumerate().filter(|(_, s)| s.side == Side::Bore) {
+            film(s.ends, FIRST + number, s.coefficient.unwrap_or(0.0), section.bore);
+        }
+    }
     // A joint at a step of the diameter touches over the smaller section.
     let area = |at: f64| {
         let mut start = 0.0;
@@ -28,6 +63,8 @@ fn rod(machine: &Machine, segments: &[Segment]) -> Rod {
     Rod {
         pieces: segments.iter().map(piece).collect(),
         base: machine.base,
+        base_around: if machine.setup.at_base.is_some() { BASE } else { ROOM },
+        films,
         joints: machine.contacts.iter().map(|c| Joint { at: c.at, conductance: c.conductance * area(c.at) }).collect(),
         sources: machine.sources.clone(),
     }
@@ -47,7 +84,7 @@ pub fn follow(
     let system = system(machine, segments)?;
     let probes: Vec<Probe> = looks.iter().map(|look| probe(&system, machine, *look)).collect();
     let mut track = Track::new(looks.len());
-    let energy = system.run(&stepping(run), &machine.around(), |time, nodes, switched| {
+    let energy = system.run(&stepping(run), &around(machine), |time, nodes, switched| {
         track.push(time, switched, probes.iter().map(|p| p.read(nodes)));
         watch(time, &|| nodes.to_vec());
     });
@@ -68,8 +105,15 @@ pub fn read(
     let system = system(machine, segments)?;
     let sensor = |look: &Look| Sensor { probe: probe(&system, machine, *look), lag: machine.lag_of(*look) };
     let sensors: Vec<Sensor> = looks.iter().map(sensor).collect();
-    let values = system.read(&stepping(run), &machine.around(), &sensors, readings, &machine.setup.rods);
+    let values = system.read(&stepping(run), &around(machine), &sensors, readings, &machine.setup.rods);
     values.map_err(|e| unsolvable(&e))
+}
+
+/// Rises of all surroundings, by their numbers.
+fn around(machine: &Machine) -> Vec<History> {
+    let rise = |own: &History| History::Sum(vec![own.clone(), History::Constant(-machine.setup.start)]);
+    let sections = machine.setup.sections.iter().map(|s| rise(&s.temperature));
+    [machine.around(), machine.around_base()].into_iter().chain(sections).collect()
 }
 
 /// The rod in elements.

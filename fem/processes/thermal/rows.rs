@@ -6,8 +6,8 @@ use crate::units::{LENGTH, MICRO, TEMPERATURE, TIME};
 
 /// Growth first, for it is what a workpiece feels.
 pub const OBSERVABLES: &[Observable] = &[
-    Observable::new("elongation", "the elongation", MICRO),
-    Observable::new("temperature", "temperatures", TEMPERATURE),
+    Observable::new("elongation", "the elongation", MICRO).sensed(),
+    Observable::new("temperature", "temperatures", TEMPERATURE).sensed(),
 ];
 
 /// Positions in [`OBSERVABLES`].

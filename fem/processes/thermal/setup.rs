@@ -7,6 +7,7 @@ use super::body::{Body, MOST_CELLS};
 use super::boundary::{self, Boundary, refuse_impossible};
 use super::source;
 use super::steps::Steps;
+use super::surroundings::{self, Surroundings};
 use crate::input::{Along, Reader};
 use crate::material::Material;
 use crate::process::{Allowed, estimates};
@@ -48,6 +49,10 @@ pub struct Setup {
     pub boundaries: Vec<Boundary>,
     /// Temperature of the surroundings over time, K.
     pub ambient: History,
+    /// Temperature of what holds the base over time, K, where it is not that of the surroundings.
+    pub at_base: Option<History>,
+    /// Lengths of a rod with surroundings of their own.
+    pub sections: Vec<Surroundings>,
     /// Temperature of the body at the start, K.
     pub start: f64,
     /// Time and its steps.
@@ -93,9 +98,14 @@ impl Setup {
             let about = "of the surroundings, and of a body that has none of its own at the start";
             let ambient = t.quantity("temperature", TEMPERATURE, about).estimated(estimates::TEMPERATURE).varying(run);
             refuse_impossible(t, "temperature", ambient.least());
-            (History::from(ambient), t.is_uncertain("temperature"))
+            let about = "of what holds the base; that of the surroundings if left out";
+            let at_base = boundary::temperature(t, "base_temperature", about, run);
+            let about = "a length of a rod with surroundings of its own";
+            let sections = t.list("section", about, |t, _| Surroundings::read(t, &body, run));
+            surroundings::refuse_overlaps(t, &sections);
+            (History::from(ambient), t.is_uncertain("temperature"), at_base, sections)
         });
-        let (ambient, ambient_is_uncertain) = ambient;
+        let (ambient, ambient_is_uncertain, at_base, sections) = ambient;
         let start = own_start.map_or(ambient.at(0.0), |(start, _)| start);
         let [usual, most] = body.elements();
         let usual_size = length / usual;
@@ -130,6 +140,8 @@ impl Setup {
             sources,
             boundaries,
             ambient,
+            at_base,
+            sections,
             start,
             time,
             element_size,
@@ -155,14 +167,17 @@ impl Setup {
 
     /// Whether the surroundings are at another temperature than the body at the start, then or later.
     pub fn is_out_of_balance(&self) -> bool {
-        matches!(self.ambient, History::Record(_)) || (self.ambient.at(0.0) - self.start).abs() > 0.0
+        let others = self.at_base.iter().chain(self.sections.iter().map(|s| &s.temperature));
+        let differs = |all: &History| matches!(all, History::Record(_)) || (all.at(0.0) - self.start).abs() > 0.0;
+        others.chain([&self.ambient]).any(differs)
     }
 
     /// Last time (s) up to which all records reach.
     pub fn known_until(&self) -> f64 {
         let powers = self.sources.iter().map(|source| source.power.level.known_until());
         let edges = self.boundaries.iter().map(Boundary::known_until);
-        powers.chain(edges).fold(self.ambient.known_until(), f64::min)
+        let others = self.at_base.iter().chain(self.sections.iter().map(|s| &s.temperature));
+        powers.chain(edges).chain(others.map(History::known_until)).fold(self.ambient.known_until(), f64::min)
     }
 
     /// Whether effects on sections can act.

@@ -1,5 +1,5 @@
 //! Temperature along a rod over time: sources at points, loss to the surroundings from the surface and
-//! through the base, joints that resist.
+//! through the base, lengths that lose to surroundings of their own, joints that resist.
 //!
 //! ```text
 //!   ρcA θ_t = (kA θ_x)_x − h p (θ − a(t)) + Σ Q δ(x − x_Q)
@@ -76,13 +76,28 @@ impl Heater {
     }
 }
 
+/// A length of a surface that loses heat to surroundings of its own, beside what the pieces lose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Film {
+    /// Where it begins and ends, m from the base.
+    pub ends: [f64; 2],
+    /// Loss per length and difference of temperature, W/(m K); zero or above.
+    pub loss: f64,
+    /// Number of its surroundings; 0 are those of the pieces.
+    pub around: usize,
+}
+
 /// A rod from its base at 0 to its free end, which is insulated.
 #[derive(Clone, Debug, Default)]
 pub struct Rod {
     /// Pieces from the base on.
     pub pieces: Vec<RodPiece>,
-    /// Conductance G from the base to the surroundings, W/K; zero or above.
+    /// Conductance G from the base to its surroundings, W/K; zero or above.
     pub base: f64,
+    /// Number of the surroundings of the base; 0 are those of the pieces.
+    pub base_around: usize,
+    /// Lengths with surroundings of their own, in any order.
+    pub films: Vec<Film>,
     /// Joints in any order.
     pub joints: Vec<Joint>,
     /// Sources in any order.
@@ -131,6 +146,8 @@ impl Rod {
         let inside = |at: f64| (0.0..=self.length() * (1.0 + 1e-12)).contains(&at);
         values.extend(self.joints.iter().map(|j| ("the place of a joint (m)", j.at, inside(j.at))));
         values.extend(self.sources.iter().map(|s| ("the place of a source (m)", s.at, inside(s.at))));
+        values.extend(self.films.iter().flat_map(|f| f.ends).map(|at| ("an end of a film (m)", at, inside(at))));
+        values.extend(self.films.iter().map(|f| ("the loss of a film (W/m/K)", f.loss, f.loss >= 0.0)));
         let infinite = self.sources.iter().filter_map(|s| s.power.infinite());
         values.extend(infinite.map(|power| ("the power of a source (W)", power, false)));
         for heater in self.sources.iter().filter_map(|s| s.heater) {

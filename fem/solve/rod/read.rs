@@ -47,7 +47,7 @@ impl RodSystem {
     pub fn read(
         &self,
         stepping: &Stepping,
-        ambient: &History,
+        around: &[History],
         sensors: &[Sensor],
         readings: &[(usize, f64)],
         known: &Known,
@@ -57,8 +57,8 @@ impl RodSystem {
         let is_long = stepping.end / stepping.step > reach.count() as f64;
         let is_shown = sensors.iter().all(|sensor| sensor.lag < SLOWEST * stepping.step);
         match is_long && is_shown {
-            true => self.summed(stepping, ambient, sensors, readings, (reach, known)),
-            false => self.stepped(stepping, ambient, sensors, readings),
+            true => self.summed(stepping, around, sensors, readings, (reach, known)),
+            false => self.stepped(stepping, around, sensors, readings),
         }
     }
 
@@ -69,12 +69,12 @@ impl RodSystem {
     pub fn stepped(
         &self,
         stepping: &Stepping,
-        ambient: &History,
+        around: &[History],
         sensors: &[Sensor],
         readings: &[(usize, f64)],
     ) -> Result<Vec<f64>, RodError> {
         let mut track = Track::new(sensors.len());
-        self.run(stepping, ambient, |time, nodes, switched| {
+        self.run(stepping, around, |time, nodes, switched| {
             track.push(time, switched, sensors.iter().map(|sensor| sensor.probe.read(nodes)));
         })?;
         Ok(track.shown(sensors.iter().map(|sensor| sensor.lag), readings))
@@ -84,12 +84,12 @@ impl RodSystem {
     fn summed(
         &self,
         stepping: &Stepping,
-        ambient: &History,
+        around: &[History],
         sensors: &[Sensor],
         readings: &[(usize, f64)],
         (reach, known): (Reach, &Known),
     ) -> Result<Vec<f64>, RodError> {
-        let (inlets, terms) = self.terms(ambient);
+        let (inlets, terms) = self.terms(around);
         let mut times: Vec<f64> = readings.iter().map(|reading| reading.1).collect();
         times.sort_by(f64::total_cmp);
         times.dedup();
@@ -120,10 +120,12 @@ impl RodSystem {
     }
 
     /// The inlets through which something comes, and what comes in through each.
-    fn terms(&self, ambient: &History) -> (Vec<Inlet>, Vec<Term>) {
-        let around = Power { level: ambient.clone(), on: Vec::new() };
+    fn terms(&self, around: &[History]) -> (Vec<Inlet>, Vec<Term>) {
+        let around: Vec<Power> = around.iter().map(|level| Power { level: level.clone(), on: Vec::new() }).collect();
         let sources = self.sources.iter().enumerate().map(|(i, (_, power))| (Inlet::Source(i), power));
-        let surroundings = (self.loss > 0.0).then_some((Inlet::Surroundings, &around));
+        let is_open = |number: &usize| self.lost_to[*number].iter().any(|loss| *loss > 0.0);
+        let surroundings = (0..self.lost_to.len().min(around.len())).filter(is_open);
+        let surroundings = surroundings.map(|number| (Inlet::Surroundings(number), &around[number]));
         let (mut inlets, mut terms) = (Vec::new(), Vec::new());
         for (inlet, power) in sources.chain(surroundings) {
             let own = power.level.terms();

@@ -19,15 +19,15 @@ pub struct Stepping {
 
 impl RodSystem {
     /// Runs from no rise anywhere and shows the start and the end of every step to `observe`: the time (s),
-    /// the rises of all nodes (K), and whether a source may be switched there. `ambient` is the rise of the
-    /// surroundings over time.
+    /// the rises of all nodes (K), and whether a source may be switched there. `around` are the rises of the
+    /// surroundings over time, by their numbers; those that are left out stay as all is at the start.
     ///
     /// # Errors
     /// A step or an end out of range.
     pub fn run(
         &self,
         stepping: &Stepping,
-        ambient: &History,
+        around: &[History],
         mut observe: impl FnMut(f64, &[f64], bool),
     ) -> Result<Energy, RodError> {
         let steps = Steps::new(self, stepping)?;
@@ -41,7 +41,7 @@ impl RodSystem {
                 Some(own) if is_same(own.length, length) => own,
                 _ => Stepper::new(self, stepping.scheme, length),
             };
-            own.step(steps.times[i], ambient, &mut state, &mut energy);
+            own.step(steps.times[i], around, &mut state, &mut energy);
             observe(steps.times[i + 1], &state[..nodes], steps.switches.binary_search(&(i + 1)).is_ok());
             stepper = Some(own);
         }
@@ -152,7 +152,7 @@ impl<'s> Stepper<'s> {
     }
 
     /// One step, as in `conduction`: (C + γΔt K)·kᵢ = f(t + cᵢΔt) − K·(θ + Δt Σ aᵢⱼkⱼ).
-    fn step(&mut self, time: f64, ambient: &History, state: &mut [f64], energy: &mut Energy) {
+    fn step(&mut self, time: f64, around: &[History], state: &mut [f64], energy: &mut Energy) {
         let (system, length, gamma) = (self.system, self.length, self.scheme.gamma());
         let (weights, whole) = (self.scheme.weights(), [time, time + length]);
         for (stage, place) in self.scheme.places().iter().enumerate() {
@@ -161,9 +161,13 @@ impl<'s> Stepper<'s> {
                 self.base.iter_mut().zip(rates).for_each(|(base, rate)| *base += length * weight * rate);
             }
             let at = time + place * length;
-            let around = ambient.within(at, whole);
             let rates = &mut self.rates[stage];
-            rates.iter_mut().zip(&system.losses).for_each(|(rate, loss)| *rate = loss * around);
+            rates.fill(0.0);
+            for (losses, level) in system.lost_to.iter().zip(around) {
+                let level = level.within(at, whole);
+                rates.iter_mut().zip(losses).for_each(|(rate, loss)| *rate += loss * level);
+            }
+            let back: f64 = rates.iter().sum();
             let mut supplied = 0.0;
             for (warmed, power) in &system.sources {
                 let power = power.within(at, whole);
@@ -172,8 +176,7 @@ impl<'s> Stepper<'s> {
             }
             self.solve(stage);
             let rates = &self.rates[stage];
-            let lost =
-                dot(&system.losses, &self.base) + gamma * length * dot(&system.losses, rates) - around * system.loss;
+            let lost = dot(&system.losses, &self.base) + gamma * length * dot(&system.losses, rates) - back;
             let span = weights[stage] * length;
             energy.add(0.0, span * supplied, span * lost, 0.0);
         }

@@ -20,8 +20,8 @@ pub struct RodSystem {
     pub(super) conductance: Tridiagonal,
     /// Heat to surroundings that are 1 K colder, W/K; of every node, then of every heater.
     pub(super) losses: Vec<f64>,
-    /// Loss of all nodes together.
-    pub(super) loss: f64,
+    /// The same, of every node, by the surroundings that it is lost to.
+    pub(super) lost_to: Vec<Vec<f64>>,
     /// Heat capacity of every node, then of every heater, J/K.
     pub(super) stores: Vec<f64>,
     /// Powers of the sources, each with the node, or the number of nodes plus that of the heater, that it warms.
@@ -95,8 +95,8 @@ fn breaks(rod: &Rod) -> Vec<f64> {
         ends.push(ends[ends.len() - 1] + piece.length);
     }
     let length = rod.length();
-    let places = rod.joints.iter().map(|j| j.at).chain(rod.sources.iter().map(|s| s.at)).map(|at| at.min(length));
-    ends.extend(places);
+    let places = rod.joints.iter().map(|j| j.at).chain(rod.sources.iter().map(|s| s.at));
+    ends.extend(places.chain(rod.films.iter().flat_map(|f| f.ends)).map(|at| at.min(length)));
     ends.sort_by(f64::total_cmp);
     ends.dedup_by(|b, a| *b - *a <= SAME * length);
     ends
@@ -123,7 +123,8 @@ impl Nodes {
     fn assemble(self, rod: &Rod, slack: f64) -> RodSystem {
         let size = self.x.len();
         let (mut capacity, mut conductance) = (Tridiagonal::zeros(size), Tridiagonal::zeros(size));
-        let mut losses = Tridiagonal::zeros(size);
+        let surroundings = 1 + rod.films.iter().map(|f| f.around).fold(rod.base_around, usize::max);
+        let mut losses = vec![Tridiagonal::zeros(size); surroundings];
         let near = |at: f64, node: usize| (at - self.x[node]).abs() <= slack;
         for i in 0..size - 1 {
             let length = self.x[i + 1] - self.x[i];
@@ -137,17 +138,21 @@ impl Nodes {
             let stored = piece.heat_capacity * length;
             capacity.add_pair(i, stored * 5.0 / 12.0, stored / 12.0);
             conductance.add_pair(i, piece.conductance / length, -piece.conductance / length);
-            losses.add_pair(i, piece.loss * length * 5.0 / 12.0, piece.loss * length / 12.0);
+            let middle = 0.5 * (self.x[i] + self.x[i + 1]);
+            let own = rod.films.iter().filter(|f| f.ends[0] <= middle && middle < f.ends[1]);
+            for (around, loss) in own.map(|f| (f.around, f.loss)).chain([(0, piece.loss)]) {
+                losses[around].add_pair(i, loss * length * 5.0 / 12.0, loss * length / 12.0);
+            }
         }
-        losses.diagonal[0] += rod.base;
-        for (own, loss) in conductance.diagonal.iter_mut().zip(&losses.diagonal) {
-            *own += loss;
-        }
-        for (own, loss) in conductance.beside.iter_mut().zip(&losses.beside) {
-            *own += loss;
+        losses[rod.base_around].diagonal[0] += rod.base;
+        for losses in &losses {
+            conductance.diagonal.iter_mut().zip(&losses.diagonal).for_each(|(own, loss)| *own += loss);
+            conductance.beside.iter_mut().zip(&losses.beside).for_each(|(own, loss)| *own += loss);
         }
         let node = |at: f64| (0..size).find(|i| near(at.min(self.x[size - 1]), *i)).unwrap_or(size - 1);
-        let (mut losses, mut stores) = (losses.row_sums(), capacity.row_sums());
+        let lost_to: Vec<Vec<f64>> = losses.iter().map(Tridiagonal::row_sums).collect();
+        let of_node = |i: usize| lost_to.iter().map(|losses| losses[i]).sum();
+        let (mut losses, mut stores): (Vec<f64>, _) = ((0..size).map(of_node).collect(), capacity.row_sums());
         let (mut sources, mut heaters) = (Vec::new(), Vec::new());
         for source in &rod.sources {
             let own = node(source.at);
@@ -160,9 +165,8 @@ impl Nodes {
             losses.push(0.0);
             stores.push(heater.heat_capacity);
         }
-        let loss = losses.iter().sum();
         let Self { x, stretches } = self;
-        RodSystem { x, capacity, conductance, losses, loss, stores, sources, heaters, stretches }
+        RodSystem { x, capacity, conductance, losses, lost_to, stores, sources, heaters, stretches }
     }
 }
 

@@ -2,7 +2,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::{
-    Energy, Heater, History, Joint, Known, PointSource, Power, Pulse, Rod, RodError, RodPiece, RodSystem, Scheme,
+    Energy, Film, Heater, History, Joint, Known, PointSource, Power, Pulse, Rod, RodError, RodPiece, RodSystem, Scheme,
     Sensor, Stepping, Swing, Track, lagged,
 };
 use crate::input::Record;
@@ -27,7 +27,7 @@ fn followed(rod: &Rod, size: f64, stepping: Stepping, ambient: &History, places:
     let probes: Vec<_> =
         places.iter().map(|x| system.at(*x)).chain(std::iter::once(system.integral_to(rod.length()))).collect();
     let mut track = Track::new(probes.len());
-    let energy = system.run(&stepping, ambient, |time, nodes, switched| {
+    let energy = system.run(&stepping, std::slice::from_ref(ambient), |time, nodes, switched| {
         track.push(time, switched, probes.iter().map(|p| p.read(nodes)));
     });
     (track, energy.unwrap())
@@ -143,7 +143,7 @@ fn a_heater_is_a_piece_behind_a_joint() {
     let piece = RodPiece { length: 1e-3, heat_capacity: heat_capacity / 1e-3, conductance: 1e4, loss: 0.0 };
     let sources = vec![PointSource { at: 0.201, ..at_end(8.0, on).remove(0) }];
     let joints = vec![Joint { at: 0.2, conductance: contact }];
-    let pieced = Rod { pieces: [body.pieces, vec![piece]].concat(), base: 0.3, joints, sources };
+    let pieced = Rod { pieces: [body.pieces, vec![piece]].concat(), base: 0.3, joints, sources, ..Rod::default() };
     let places = [0.0, 0.13, 0.2];
     for scheme in SCHEMES {
         let stepping = Stepping { scheme, step: 20.0, end: 1200.0 };
@@ -170,7 +170,7 @@ fn a_lag_follows_a_ramp() {
 }
 
 /// Everything that a rod may have, two pieces, a heater, switches between steps.
-fn furnished(recorded: bool) -> (Rod, History) {
+fn furnished(recorded: bool) -> (Rod, Vec<History>) {
     let pieces = vec![
         RodPiece { length: 0.12, heat_capacity: 4000.0, conductance: 0.06, loss: 1.5 },
         RodPiece { length: 0.08, heat_capacity: 1000.0, conductance: 0.015, loss: 0.7 },
@@ -192,7 +192,10 @@ fn furnished(recorded: bool) -> (Rod, History) {
     let mut ambient = vec![History::Constant(-4.0), History::Swing(swing), History::Swing(other)];
     ambient.extend(recorded.then(|| record(2.0)));
     let joints = vec![Joint { at: 0.1, conductance: 0.3 }, Joint { at: 0.12, conductance: 30.0 }];
-    (Rod { pieces, base: 0.2, joints, sources }, History::Sum(ambient))
+    let films =
+        vec![Film { ends: [0.03, 0.11], loss: 2.2, around: 1 }, Film { ends: [0.05, 0.2], loss: 0.4, around: 2 }];
+    let around = vec![History::Sum(ambient), History::Constant(6.0), History::Swing(swing)];
+    (Rod { pieces, base: 0.2, base_around: 2, films, joints, sources }, around)
 }
 
 /// Summed up on the contour comes what is stepped to, whatever the scheme, the input and the instrument, to
@@ -200,7 +203,7 @@ fn furnished(recorded: bool) -> (Rod, History) {
 #[test]
 fn a_sum_on_the_contour_is_what_steps_lead_to() {
     for (scheme, recorded) in SCHEMES.into_iter().flat_map(|scheme| [(scheme, false), (scheme, true)]) {
-        let (rod, ambient) = furnished(recorded);
+        let (rod, around) = furnished(recorded);
         let system = RodSystem::new(&rod, 0.004).unwrap();
         let stepping = Stepping { scheme, step: 10.0, end: 6000.0 };
         let instant = |probe| Sensor { probe, lag: 0.0 };
@@ -211,12 +214,12 @@ fn a_sum_on_the_contour_is_what_steps_lead_to() {
         let times = [6000.0, 0.0, 0.4, 3.7, 11.3, 12.0, 500.0, 777.7, 1234.5, 1235.0, 1300.0, 2000.3, 2503.0, 5000.0];
         let readings: Vec<(usize, f64)> = times.iter().flat_map(|t| (0..sensors.len()).map(|i| (i, *t))).collect();
         let known = Known::default();
-        let stepped = system.stepped(&stepping, &ambient, &sensors, &readings).unwrap();
+        let stepped = system.stepped(&stepping, &around, &sensors, &readings).unwrap();
         // 9 W for as long as the run, in some 500 J/K.
         let error = 1e-10 * 9.0 * 6000.0 / 500.0;
         // The second time all is known.
         for _ in 0..2 {
-            let summed = system.read(&stepping, &ambient, &sensors, &readings, &known).unwrap();
+            let summed = system.read(&stepping, &around, &sensors, &readings, &known).unwrap();
             for ((a, b), reading) in summed.iter().zip(&stepped).zip(&readings) {
                 assert!((a - b).abs() < error, "{scheme:?}, {reading:?}: {a} and {b}");
             }
@@ -230,7 +233,7 @@ fn without_heat_nothing_is_seen() {
     let stepping = Stepping { scheme: Scheme::Sdirk2, step: 10.0, end: 3600.0 };
     let sensors = [0.0, 0.1].map(|x| Sensor { probe: system.at(x), lag: 0.0 });
     let ambient = History::Constant(5.0);
-    let seen = system.read(&stepping, &ambient, &sensors, &[(0, 60.0), (1, 0.0)], &Known::default());
+    let seen = system.read(&stepping, &[ambient], &sensors, &[(0, 60.0), (1, 0.0)], &Known::default());
     assert_eq!(seen.unwrap(), [0.0, 0.0]);
 }
 
@@ -244,7 +247,7 @@ fn a_sum_on_the_contour_follows_the_series() {
     let sensors = places.map(|x| Sensor { probe: system.at(x), lag: 0.0 });
     for time in [300.0, 617.3, 1800.0, 3600.0] {
         let readings: Vec<(usize, f64)> = (0..places.len()).map(|i| (i, time)).collect();
-        let found = system.read(&stepping, &NONE, &sensors, &readings, &Known::default()).unwrap();
+        let found = system.read(&stepping, &[NONE], &sensors, &readings, &Known::default()).unwrap();
         for (place, found) in places.iter().zip(found) {
             let exact = heated_end(*place, time, 8.0);
             assert!((found - exact).abs() < 5e-4, "x = {place}, t = {time}: {found} and {exact}");
@@ -285,5 +288,43 @@ fn what_is_no_rod_is_refused() {
     ];
     for (rod, error) in refused {
         assert_eq!(RodSystem::new(&rod, 0.01).unwrap_err(), error);
+    }
+}
+
+/// A fin whose base is held by something at +30 K, in a room that stays, and of which a length stands in another one
+/// at −10 K. From theory: θ'' = m²(θ − a) on both lengths, kAθ' = G(θ − 30) at the base, no flow through the end.
+#[test]
+fn surroundings_by_length_and_of_the_base_settle_to_the_fin() {
+    let (l, border, ka, g, h) = (0.2, 0.08, 0.06, 0.5, [1.5, 2.5]);
+    let films =
+        vec![Film { ends: [border, l], loss: h[1], around: 2 }, Film { ends: [0.0, border], loss: h[0], around: 0 }];
+    let rod = Rod { base: g, base_around: 1, films, ..steel(0.0) };
+    let system = RodSystem::new(&rod, 5e-4).unwrap();
+    let around = [0.0, 30.0, -10.0].map(History::Constant);
+    let stepping = Stepping { scheme: Scheme::BackwardEuler, step: 2000.0, end: 200_000.0 };
+    let places = [0.0, 0.05, border, 0.15, l];
+    let mut track = Track::new(places.len());
+    let probes = places.map(|x| system.at(x));
+    system.run(&stepping, &around, |time, nodes, s| track.push(time, s, probes.iter().map(|p| p.read(nodes)))).unwrap();
+    // θ = A cosh m₁x + B sinh m₁x before the border, −10 + C cosh m₂(l − x) behind it.
+    let [m1, m2] = h.map(|h| (h / ka).sqrt());
+    let (c1, s1, c2, s2) =
+        ((m1 * border).cosh(), (m1 * border).sinh(), (m2 * (l - border)).cosh(), (m2 * (l - border)).sinh());
+    // B = G(A − 30)/(kA m₁); equal θ and equal θ' at the border give A.
+    let b = |a: f64| g * (a - 30.0) / (ka * m1);
+    let off = |a: f64| {
+        let c = (a * c1 + b(a) * s1 + 10.0) / c2;
+        m1 * (a * s1 + b(a) * c1) + m2 * c * s2
+    };
+    let a = -off(0.0) / (off(1.0) - off(0.0));
+    let c = (a * c1 + b(a) * s1 + 10.0) / c2;
+    for (x, values) in places.into_iter().zip(&track.values) {
+        let exact = match x <= border {
+            true => a * (m1 * x).cosh() + b(a) * (m1 * x).sinh(),
+            false => -10.0 + c * (m2 * (l - x)).cosh(),
+        };
+        let found = track.at(values, 200_000.0);
+        // Linear elements: (m·h)²/12 of the rises, and less.
+        assert!((found - exact).abs() < 30.0 * (m2 * 5e-4).powi(2) / 12.0, "{x}: {found} and {exact}");
     }
 }

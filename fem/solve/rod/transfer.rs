@@ -10,8 +10,8 @@ use super::{Heater, Probe, RodSystem};
 pub(super) enum Inlet {
     /// A source, by its position in the system.
     Source(usize),
-    /// Surroundings that are 1 K warmer.
-    Surroundings,
+    /// Surroundings that are 1 K warmer, by their number.
+    Surroundings(usize),
 }
 
 /// Everything on which transfers depend but the points.
@@ -19,7 +19,7 @@ pub(super) enum Inlet {
 pub(super) struct Body {
     capacity: Tridiagonal,
     conductance: Tridiagonal,
-    losses: Vec<f64>,
+    lost_to: Vec<Vec<f64>>,
     heaters: Vec<(usize, Heater)>,
     /// Node, or number of nodes plus heater, of every source.
     warmed: Vec<usize>,
@@ -32,7 +32,7 @@ impl Body {
         Self {
             capacity: system.capacity.clone(),
             conductance: system.conductance.clone(),
-            losses: system.losses.clone(),
+            lost_to: system.lost_to.clone(),
             heaters: system.heaters.clone(),
             warmed: system.sources.iter().map(|(node, _)| *node).collect(),
             inlets,
@@ -113,8 +113,8 @@ impl Body {
                 work.rises[node] = passed;
                 node
             }
-            Inlet::Surroundings => {
-                work.rises.iter_mut().zip(&self.losses).for_each(|(rise, loss)| rise.0[0] = [*loss; LANES]);
+            Inlet::Surroundings(around) => {
+                work.rises.iter_mut().zip(&self.lost_to[around]).for_each(|(rise, loss)| rise.0[0] = [*loss; LANES]);
                 0
             }
         };

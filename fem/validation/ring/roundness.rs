@@ -30,7 +30,45 @@ pub fn cases() -> Vec<Case> {
         ),
     ];
     cases.extend(circle());
+    cases.extend(instruments(&text));
     cases
+}
+
+/// What a filter and gauges show of the same oval: two waves a turn.
+fn instruments(text: &str) -> Vec<Case> {
+    let stress = "[residual-stress]\namplitude = \"4 um\"\nphase = \"20 deg\"";
+    let filtered = text.replace("reference =", "filter = 4, reference =");
+    let [behind, oval] = [filtered.as_str(), text].map(|text| chuck(text, stress));
+    let of = |name: &str, expected: f64, computed: f64, tolerance: Tolerance, source: &'static str| {
+        row(name, "oval of 4 um", (expected, computed, "um"), tolerance, source)
+    };
+    let gauss = "ISO 16610-21: 2^(-(n/n_c)^2) of n waves";
+    let contacts = "ISO 4292: 1 + cos(n pi) of two contacts, none of two waves by three";
+    vec![
+        // The weighting function is cut off where it is 1e-6 of its middle.
+        of(
+            "RONt behind a filter of 4",
+            8.0 * 0.5f64.powf(0.25),
+            figure_of(&behind, "roundness", "/RONt"),
+            Tolerance::Absolute(1e-6),
+            gauss,
+        ),
+        of(
+            "diameters of two contacts differ by",
+            16.0,
+            figure_of(&oval, "gauges", "/two_point"),
+            Tolerance::Absolute(1e-9),
+            contacts,
+        ),
+        // Points a degree apart, between which a third of a turn falls on a point.
+        of(
+            "diameters of three contacts differ by",
+            0.0,
+            figure_of(&oval, "gauges", "/three_point"),
+            Tolerance::Absolute(1e-9),
+            contacts,
+        ),
+    ]
 }
 
 /// A centre that is off by (3, −2) um and a radius by 5 um, over angles that are not even: all of it is the

@@ -8,11 +8,12 @@ mod inputs;
 mod plates;
 mod rig;
 mod series;
+mod surroundings;
 
 use crate::validation::Case;
 
 /// Every case.
 pub fn cases() -> Vec<Case> {
-    [series::cases(), effects::cases(), benchmarks::cases(), plates::cases(), cooling::cases(), inputs::cases()]
-        .concat()
+    let all = [series::cases(), effects::cases(), benchmarks::cases(), plates::cases(), cooling::cases()];
+    [all.concat(), inputs::cases(), surroundings::cases()].concat()
 }

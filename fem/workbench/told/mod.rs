@@ -42,7 +42,13 @@ pub fn reading(said: &Reading) -> Json {
         Decimal::Comma => "comma",
         Decimal::Point => "point",
     });
-    json!({ "columns": said.columns(), "decimal": decimal })
+    json!({
+        "columns": said.columns(),
+        "decimal": decimal,
+        "header": said.headings.map(|line| line.unwrap_or(0)),
+        "sheet": said.sheet,
+        "as_typed": said.as_typed,
+    })
 }
 
 /// How the model stands against them.

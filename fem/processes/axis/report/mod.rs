@@ -84,5 +84,7 @@ fn warnings(setup: &Setup) -> Vec<String> {
     let is_multiple = |x: &f64| (x / setup.lead - (x / setup.lead).round()).abs() < 1e-6;
     let warning = "all targets are multiples of the lead: errors that repeat with each turn cannot be seen; \
                    spacing = \"staggered\" in [test] moves them";
-    if setup.targets().iter().all(is_multiple) { vec![warning.into()] } else { Vec::new() }
+    let targets = setup.targets();
+    // A single target is no test of a screw.
+    if targets.len() > 1 && targets.iter().all(is_multiple) { vec![warning.into()] } else { Vec::new() }
 }

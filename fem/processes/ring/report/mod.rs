@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 
 use super::circle;
 use super::forward;
+use super::instrument::Gauge;
 use super::machine::Machine;
 use super::response::MeshSize;
 use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVABLES, RUN, SPEED, STATE};
@@ -36,6 +37,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         size(setup.reference, angles, deviations),
         roundness(&form),
         harmonics(angles, &form),
+        gauges(angles, deviations),
         clamping(machine, forward)?,
         force(machine),
         stress(&scene),
@@ -77,9 +79,10 @@ fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// The peak and the depth of the valley of deviations from a circle, m.
+/// The peak and the depth of the valley of deviations of a bore from a circle, m: its material is outside, so that the
+/// peak points inwards (ISO 12181-1, 3.2.2: towards the material a deviation is negative).
 fn peak_and_valley(form: &[f64]) -> (f64, f64) {
-    (form.iter().copied().fold(0.0, f64::max), 0.0 - form.iter().copied().fold(0.0, f64::min))
+    (0.0 - form.iter().copied().fold(0.0, f64::min), form.iter().copied().fold(0.0, f64::max))
 }
 
 /// Size and centre of the bore at evenly spaced angles, rad.
@@ -113,6 +116,30 @@ fn roundness(form: &[f64]) -> Figure {
         .quantity("RONp", MICRO, peak)
         .quantity("RONv", MICRO, valley)
         .quantity("RONq", MICRO, rms)
+}
+
+/// How much bore gauges show of the form, turned around in it: two contacts see no odd number of waves, three a third
+/// apart none but multiples of three.
+fn gauges(angles: &[f64], deviations: &[f64]) -> Figure {
+    let count = deviations.len();
+    let spread = |gauge: Gauge| {
+        let places = gauge.contacts().places();
+        // On straight lines between the evenly spaced points.
+        let on = |at: f64| {
+            let place = at.rem_euclid(TAU) / TAU * count as f64;
+            let [before, after] = [place as usize % count, (place as usize + 1) % count];
+            deviations[before] + (deviations[after] - deviations[before]) * place.fract()
+        };
+        let shown = (0..count).map(|i| places.iter().map(|(beside, weight)| weight * on(angles[i] + beside)).sum());
+        let [low, high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], d: f64| [l.min(d), h.max(d)]);
+        high - low
+    };
+    let [two, three] = [Gauge::TwoPoint, Gauge::ThreePoint].map(spread);
+    let [shown_two, shown_three] = [two, three].map(|d| MICRO.shown(d));
+    Figure::new("gauges", "bore gauges show")
+        .line(format!("diameters that differ by {shown_two:.3} with two contacts, by {shown_three:.3} with three"))
+        .quantity("two_point", MICRO, two)
+        .quantity("three_point", MICRO, three)
 }
 
 /// Amplitude of `m` waves around, m, and the angle of their first crest, rad.
