@@ -15,15 +15,15 @@ fn drawn(name: &str) -> (Place, Vec<String>) {
 #[test]
 fn every_process_has_the_figures_of_its_field() {
     let expected = [
-        ("slender-shaft", &["machine.svg", "profile.svg"][..]),
-        ("lathe", &["machine.svg", "map.svg", "profile.svg"]),
-        ("ring", &["bore.svg", "machine.svg", "polar.svg", "profile.svg"]),
+        ("slender-shaft", &["machine.svg", "parts.svg", "profile.svg"][..]),
+        ("lathe", &["machine.svg", "map.svg", "parts.svg", "profile.svg"]),
+        ("ring", &["bore.svg", "machine.svg", "parts.svg", "polar.svg", "profile.svg"]),
         ("thermal", &["map-temperature.svg", "profile-elongation.svg", "profile-temperature.svg"]),
-        ("fixture", &["machine.svg", "profile.svg"]),
+        ("fixture", &["machine.svg", "parts.svg", "profile.svg"]),
         ("stiffness", &["loop.svg"]),
-        ("axis", &["machine.svg", "positioning.svg"]),
-        ("rotary", &["machine.svg", "positioning.svg"]),
-        ("contour", &["contour.svg", "polar.svg", "profile.svg"]),
+        ("axis", &["machine.svg", "parts.svg", "positioning.svg"]),
+        ("rotary", &["machine.svg", "parts.svg", "positioning.svg"]),
+        ("contour", &["contour.svg", "parts.svg", "polar.svg", "profile.svg"]),
     ];
     for (name, figures) in expected {
         let (place, files) = drawn(name);

@@ -19,6 +19,7 @@ fn a_run_writes_its_files_and_no_others() {
         "summary.json",
         "machine.svg",
         "map.svg",
+        "parts.svg",
         "profile.svg",
     ]
     .into_iter()

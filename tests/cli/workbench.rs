@@ -316,13 +316,14 @@ fn a_file_with_other_headings_is_explained_by_hand() {
     let said = json!({ "files": ["foreign.csv"], "columns": columns, "decimal": "comma" });
     bench.done("data", &said);
     let state = bench.state();
-    assert_eq!(state["data"]["reading"], json!({ "columns": columns, "decimal": "comma" }));
+    let reading = |columns: Json, decimal: Json| json!({ "columns": columns, "decimal": decimal, "header": null, "sheet": null, "as_typed": false });
+    assert_eq!(state["data"]["reading"], reading(columns, json!("comma")));
     assert_eq!(format!("{:.2}", state["comparison"]["rms"].as_f64().unwrap()), "43.21");
     run_history(&place, &state);
     // It holds for that file as long as it is open, and no longer.
     bench.done("set", &json!({ "path": "cut.depth", "text": "0.6 mm" }));
     bench.done("data", &json!({ "files": ["measured.csv"] }));
-    assert_eq!(bench.state()["data"]["reading"], json!({ "columns": [], "decimal": null }));
+    assert_eq!(bench.state()["data"]["reading"], reading(json!([]), Json::Null));
     for (said, told) in [
         (json!({ "files": ["foreign.csv"], "columns": [["Nr", "part"], ["Nr", "x [mm]"]] }), "two things"),
         (json!({ "files": ["foreign.csv"], "columns": [["Ort", "colour"]] }), "no column of turning"),
