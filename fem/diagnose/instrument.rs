@@ -158,9 +158,9 @@ pub fn absent_readings(data: &Data) -> Vec<Description> {
 fn sensed(term: &Term, data: &Data) -> Option<[f64; 2]> {
     let own = data.observables.iter().find(|s| term.observable.is_none_or(|o| o == s.position))?;
     let is_sensed = data.model.process.observables()[own.position].is_sensed;
-    let values = || (0..data.len()).filter(|row| term.is_of(data, *row)).map(|row| data.observed[row]);
+    let values = (0..data.len()).filter(|row| term.is_of(data, *row)).map(|row| data.observed[row]);
     let zero = data.model.process.observables()[own.position].kind.to_si(0.0);
-    let [low, high] = [values().fold(zero, f64::min), values().fold(zero, f64::max)];
+    let (low, high) = process::range(values.chain([zero]));
     (is_sensed && high > low).then_some([low, high])
 }
 

@@ -7,13 +7,11 @@ use super::circle::{evenly, form};
 use super::instrument::Instrument;
 use super::rows::{ANGLE_OF_ROW, DEVIATION, DIAMETER};
 use super::setup::Setup;
-use crate::process::{Gauged, Rows, Values};
-use crate::roundness::{Places, gauss};
+use crate::process::{Gauged, Rows, Values, spread};
+use crate::roundness::{PER_WAVE, Places, gauss};
 
-/// Points of a trace of which peak and valley are told, at least, and of each wave that a filter halves, as its weighting
-/// function is told: ISO 12181-2 asks for seven.
+/// Points of a trace of which peak and valley are told, at least.
 const POINTS: usize = 720;
-const PER_WAVE: usize = 8;
 
 /// Readings of rows that show more than one place of the bore, off the deviations of all of them; `None` where every row
 /// shows its own place.
@@ -50,9 +48,7 @@ pub fn gauged(setup: &Setup, rows: &Rows) -> Option<Gauged> {
 /// RONt of a trace at evenly spaced angles (rad): largest less smallest from the least-squares circle, behind the filter.
 fn peak_to_valley(angles: &[f64], trace: &[f64], filter: Option<usize>) -> f64 {
     let filtered = filter.map_or_else(|| trace.to_vec(), |cutoff| smoothed(trace, cutoff));
-    let form = form(angles, &filtered);
-    let [low, high] = form.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], d| [l.min(*d), h.max(*d)]);
-    high - low
+    spread(&form(angles, &filtered))
 }
 
 /// A closed trace at evenly spaced places, `PER_WAVE` or a multiple of it to a wave, behind the Gauss filter.

@@ -78,8 +78,12 @@ impl Machine {
 
     /// The same of what holds the base.
     pub fn around_base(&self) -> History {
-        let own = |own: &History| History::Sum(vec![own.clone(), History::Constant(-self.setup.start)]);
-        self.setup.at_base.as_ref().map_or_else(|| self.around(), own)
+        self.setup.at_base.as_ref().map_or_else(|| self.around(), |own| self.rise(own))
+    }
+
+    /// Rise of a temperature (K) over the body's at the start.
+    pub fn rise(&self, temperature: &History) -> History {
+        History::Sum(vec![temperature.clone(), History::Constant(-self.setup.start)])
     }
 
     /// Time constant of what shows a look, s: only temperatures are late.

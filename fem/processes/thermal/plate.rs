@@ -52,7 +52,7 @@ pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], run: &Run, watch
 fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Vec<Condition> {
     let setup = &machine.setup;
     let around = machine.around();
-    let rise = |own: &History| History::Sum(vec![own.clone(), History::Constant(-setup.start)]);
+    let rise = |own: &History| machine.rise(own);
     let mut all = Vec::new();
     for boundary in &setup.boundaries {
         let sides = boundary.edge.clone();

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::follow::{Followed, Look, Watch, unsolvable};
 use super::machine::Machine;
-use super::surroundings::{Side, Surroundings};
+use super::surroundings::Side;
 use crate::process::{Failure, Segment};
 use crate::solve::conduction::Run;
 use crate::solve::rod::{Film, History, Joint, Probe, Rod, RodPiece, RodSystem, Sensor, Stepping, Track};
@@ -25,6 +25,9 @@ fn rod(machine: &Machine, segments: &[Segment]) -> Rod {
         conductance: material.conductivity * s.section.area(),
         loss: 0.0,
     };
+    let (mut outside, bores): (Vec<_>, Vec<_>) =
+        sections.iter().enumerate().partition(|(_, s)| s.side == Side::Outside);
+    outside.sort_by(|a, b| a.1.ends[0].total_cmp(&b.1.ends[0]));
     let mut films = Vec::new();
     let mut start = 0.0;
     for Segment { length, section } in segments {
@@ -37,16 +40,13 @@ fn rod(machine: &Machine, segments: &[Segment]) -> Rod {
             }
         };
         let mut free = own[0];
-        let mut outside: Vec<(usize, &Surroundings)> =
-            sections.iter().enumerate().filter(|(_, s)| s.side == Side::Outside).collect();
-        outside.sort_by(|a, b| a.1.ends[0].total_cmp(&b.1.ends[0]));
-        for (number, s) in outside {
+        for (number, s) in &outside {
             film([free, s.ends[0]], ROOM, machine.convection, section.diameter);
             film(s.ends, FIRST + number, s.coefficient.unwrap_or(machine.convection), section.diameter);
             free = free.max(s.ends[1]);
         }
         film([free, own[1]], ROOM, machine.convection, section.diameter);
-        for (number, s) in sections.iter().enumerate().filter(|(_, s)| s.side == Side::Bore) {
+        for (number, s) in &bores {
             film(s.ends, FIRST + number, s.coefficient.unwrap_or(0.0), section.bore);
         }
     }
@@ -111,8 +111,7 @@ pub fn read(
 
 /// Rises of all surroundings, by their numbers.
 fn around(machine: &Machine) -> Vec<History> {
-    let rise = |own: &History| History::Sum(vec![own.clone(), History::Constant(-machine.setup.start)]);
-    let sections = machine.setup.sections.iter().map(|s| rise(&s.temperature));
+    let sections = machine.setup.sections.iter().map(|s| machine.rise(&s.temperature));
     [machine.around(), machine.around_base()].into_iter().chain(sections).collect()
 }
 

@@ -12,7 +12,7 @@ use super::machine::Machine;
 use super::response::MeshSize;
 use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVABLES, RUN, SPEED, STATE};
 use super::setup::{Body, Reference, Setup};
-use crate::process::{Curve, Datum, Drawing, Failure, Figure, Forward, Plot, RunReport, Spot, Table, extremes};
+use crate::process::{Curve, Datum, Drawing, Failure, Figure, Forward, Plot, RunReport, Spot, Table, extremes, spread};
 use crate::units::{ANGLE, FORCE, LENGTH, MICRO, SPINDLE_SPEED, STRESS};
 
 /// A bore that varies by less than a tenth of a nanometre is round.
@@ -122,7 +122,7 @@ fn roundness(form: &[f64]) -> Figure {
 /// apart none but multiples of three.
 fn gauges(angles: &[f64], deviations: &[f64]) -> Figure {
     let count = deviations.len();
-    let spread = |gauge: Gauge| {
+    let differ = |gauge: Gauge| {
         let places = gauge.contacts().places();
         // On straight lines between the evenly spaced points.
         let on = |at: f64| {
@@ -131,10 +131,9 @@ fn gauges(angles: &[f64], deviations: &[f64]) -> Figure {
             deviations[before] + (deviations[after] - deviations[before]) * place.fract()
         };
         let shown = (0..count).map(|i| places.iter().map(|(beside, weight)| weight * on(angles[i] + beside)).sum());
-        let [low, high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], d: f64| [l.min(d), h.max(d)]);
-        high - low
+        spread(&shown.collect::<Vec<f64>>())
     };
-    let [two, three] = [Gauge::TwoPoint, Gauge::ThreePoint].map(spread);
+    let [two, three] = [Gauge::TwoPoint, Gauge::ThreePoint].map(differ);
     let [shown_two, shown_three] = [two, three].map(|d| MICRO.shown(d));
     Figure::new("gauges", "bore gauges show")
         .line(format!("diameters that differ by {shown_two:.3} with two contacts, by {shown_three:.3} with three"))
