@@ -2,8 +2,10 @@
 
 use super::fitted::{Ranked, fitted_settings, is_of};
 use super::law::near;
-use super::{CLEARLY, Candidate, Discovery, Explained, ranked};
-use crate::diagnose::{self, Cause, Diagnosis, FreeLaw, LargestChange, Missing, Rival, Verdict, thinned, weight};
+use super::{CLEARLY, Candidate, Discovery, Explained, MOST_ROWS, ranked};
+use crate::diagnose::{
+    self, Cause, Diagnosis, FreeLaw, LargestChange, Missing, Rival, Verdict, thinned, thinned_to, under_noise, weight,
+};
 use crate::input::Parameter;
 use crate::model::{Data, Edit, Entry, Model, Setting, add_effect};
 use crate::process::{Description, Failure};
@@ -11,6 +13,8 @@ use crate::progress::Progress;
 
 /// Effects that are as many as a law of two terms has constants.
 const SEVERAL: usize = 3;
+/// Share of the probability below which nothing is said of a law.
+const UNLIKELY: f64 = 0.005;
 /// Name of the step, for the note that it was left undone.
 const LAWS: &str = "laws that are in no catalogue";
 
@@ -44,14 +48,22 @@ fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Prog
         return Ok(of_catalogue);
     }
     let (mut best, mut held_back): (Option<Told>, Option<HeldBack>) = (None, None);
+    // A law that says no more than the causes of the catalogue, under the noise that each leaves.
+    let mut rival: Option<(Told, f64)> = None;
     let explained = explained(&of_catalogue);
+    let models = models(data, &of_catalogue);
     // Beside effects that explain everything nothing is left.
-    let models = models(data, &of_catalogue).into_iter().take(if explained.is_some() { 1 } else { usize::MAX });
-    for model in models {
-        match beside(data, &model, candidates, (most, explained), progress)? {
+    for (number, model) in models.iter().enumerate().take(if explained.is_some() { 1 } else { usize::MAX }) {
+        match beside(data, model, candidates, (most, explained), progress)? {
             Sought::Nothing => {}
             Sought::HeldBack(own) => held_back = held_back.or(Some(own)),
             Sought::Told(told) => {
+                let causes = models.get(1).filter(|_| number == 0);
+                let share = causes.and_then(|causes| share_beside_causes(&told, causes, &of_catalogue, data, progress));
+                if let Some(share) = share.filter(|share| *share < 0.5) {
+                    rival = Some((*told, share));
+                    continue;
+                }
                 let is_all = told.diagnosis.verdict == Verdict::Adequate;
                 if best.as_ref().is_none_or(|own| told.criterion < own.criterion) {
                     best = Some(*told);
@@ -69,16 +81,37 @@ fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Prog
     Ok(match best {
         Some(told) if told.criterion < of_catalogue.criterion - margin => told.over(of_catalogue, data),
         Some(told) if told.criterion < of_catalogue.criterion + CLEARLY && explains => {
-            told.against(&mut of_catalogue, 1.0);
+            let share = told.share_beside(&of_catalogue);
+            told.against(&mut of_catalogue, share);
             of_catalogue
         }
         _ => {
             if let Some(own) = held_back {
                 own.against(&mut of_catalogue);
             }
+            if let Some((law, share)) = rival {
+                law.against(&mut of_catalogue, share);
+            }
             of_catalogue
         }
     })
+}
+
+/// The share of the probability that a law has beside causes of the catalogue in its place, where the noise that each leaves is
+/// settled alike: the diagnosis may have described that noise otherwise, and the law would take the credit. `None` where the law
+/// leaves nothing that asks for it.
+fn share_beside_causes(law: &Told, causes: &Model, found: &Diagnosis, data: &Data, progress: &Progress) -> Option<f64> {
+    let weighed = law.weighed?;
+    let own = with(data, causes)?;
+    // Of as many rows as a law is sought in.
+    let some = thinned_to(&own, MOST_ROWS);
+    let own = some.as_ref().unwrap_or(&own);
+    let of_machine = || found.missing.iter().filter(|m| is_of_machine(&m.cause));
+    let numbers: usize = of_machine().map(|m| m.estimates.len()).sum();
+    let width = of_machine().count() as f64 * (data.model.process.effects().len() as f64).ln();
+    let price = numbers as f64 * (own.len() as f64).ln() + 2.0 * width;
+    let of_causes = under_noise(own, progress).ok()?.criterion + price;
+    Some(1.0 / (1.0 + weight(of_causes, weighed)))
 }
 
 /// What the catalogue says, where effects of the machine explain everything.
@@ -128,6 +161,8 @@ struct Told {
     effect: Description,
     diagnosis: Diagnosis,
     criterion: f64,
+    /// Its criterion under the noise that the rows ask for beside it, where they ask for some.
+    weighed: Option<f64>,
 }
 
 /// What a search for a law beside a model comes to.
@@ -157,7 +192,8 @@ impl HeldBack {
         let Self { text, is_likely, told } = self;
         let is_of_machine = diagnosis.missing.iter().any(|m| is_of_machine(&m.cause));
         if let Some(told) = told.filter(|told| is_of_machine && told.criterion < diagnosis.criterion - CLEARLY) {
-            told.against(diagnosis, 0.5);
+            let share = told.share_beside(diagnosis).min(0.5);
+            told.against(diagnosis, share);
         }
         let Some(zero) = diagnosis.missing.iter_mut().find(|m| sets_zero(m) && !m.describes()) else { return };
         if is_likely {
@@ -208,7 +244,7 @@ fn told(data: &Data, mut found: Discovery<Ranked>, most: usize, progress: &Progr
         like: found.like,
         rivals: found.laws.into_iter().map(|own| Rival { formula: own.written.formula, apart: own.apart }).collect(),
     };
-    Ok(Some(Told { law, effect, diagnosis, criterion }))
+    Ok(Some(Told { law, effect, diagnosis, criterion, weighed: found.weighed }))
 }
 
 /// A law that is held back because what it is made of was set too seldom.
@@ -229,9 +265,16 @@ fn with<'m>(data: &Data, model: &'m Model) -> Option<Data<'m>> {
 }
 
 impl Told {
-    /// Takes its share of the probability of a diagnosis beside which it is as likely: nothing that it does without is certain.
-    fn against(self, diagnosis: &mut Diagnosis, most: f64) {
-        let share = (1.0 / (1.0 + weight(diagnosis.criterion, self.criterion))).min(most);
+    /// Its share of the probability beside a diagnosis.
+    fn share_beside(&self, diagnosis: &Diagnosis) -> f64 {
+        1.0 / (1.0 + weight(diagnosis.criterion, self.criterion))
+    }
+
+    /// Takes a share of the probability of a diagnosis: nothing that it does without is certain.
+    fn against(self, diagnosis: &mut Diagnosis, share: f64) {
+        if share < UNLIKELY {
+            return;
+        }
         diagnosis.posterior.share(share, &self.diagnosis.posterior);
         for missing in &mut diagnosis.missing {
             missing.probability = diagnosis.posterior.of(&missing.effect.name);
@@ -245,7 +288,7 @@ impl Told {
 
     /// The diagnosis with the law in the place of one without.
     fn over(self, without: Diagnosis, data: &Data) -> Diagnosis {
-        let Self { law, effect, mut diagnosis, criterion } = self;
+        let Self { law, effect, mut diagnosis, criterion, weighed: _ } = self;
         // Of two that are equally likely each has a half.
         let against = weight(without.criterion, criterion);
         let goodness = std::mem::replace(&mut diagnosis.before, without.before);

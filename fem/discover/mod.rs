@@ -82,6 +82,8 @@ pub struct Discovery<L = Law> {
     pub instead: Vec<Term>,
     /// By how much the criterion of the best is below that of the effects of the measurement, where there are some.
     pub ahead: f64,
+    /// The criterion of the best under the noise that the rows ask for beside it, where they ask for some.
+    weighed: Option<f64>,
     /// A zero that wanders while rows are taken, where it says more than any law of the search.
     pub wandering: Option<Wandering>,
     /// Settings that are too few for the best of them, where they are: it is held back then.
@@ -127,6 +129,7 @@ pub fn discover(data: &Data, candidates: &[Candidate], progress: &Progress) -> R
         tried: found.tried,
         instead: found.instead,
         ahead: found.ahead,
+        weighed: found.weighed,
         wandering: found.wandering,
         too_few: found.too_few,
         left_out: found.left_out,
@@ -174,6 +177,7 @@ fn rank(
         tried: Vec::new(),
         instead: Vec::new(),
         ahead: f64::INFINITY,
+        weighed: None,
         wandering: None,
         too_few: None,
         left_out: None,
@@ -244,7 +248,8 @@ impl Discovery<Ranked> {
         while let Some(law) = self.laws.first().filter(|_| !without.terms.is_empty()) {
             let with = Data::of(&law.open, data.clone().into_measurements());
             if let Some(with) = with.ok().and_then(|with| under_noise(&with, progress).ok()) {
-                self.ahead = without.criterion - (with.criterion + law.found.price);
+                let weighed = with.criterion + law.found.price;
+                (self.ahead, self.weighed) = (without.criterion - weighed, Some(weighed));
                 if self.ahead < CLEARLY {
                     self.instead = without.terms;
                 }

@@ -59,7 +59,19 @@ impl Bench<'_, '_> {
                 let variable = &self.variables[factor.variable];
                 let sums = form.sums(&metric.rows, &own, (&variable.level, variable.levels.len()));
                 let products = sums.products(&self.at_levels[factor.variable]);
-                for (shape, other) in self.factors[factor.variable].iter().enumerate() {
+                let shapes = &self.factors[factor.variable];
+                // What rings without an end is a wave, of just this period.
+                if let (Shape::Ringing, Some(wave)) = (factor.shape, shapes.iter().find(|own| own.shape == Shape::Wave))
+                {
+                    let mut terms = found.terms.clone();
+                    terms[t].factors[f] =
+                        Factor { constants: vec![factor.constants[0]], is_known: false, ..wave.clone() };
+                    let judged = self.judged(terms);
+                    if best.as_ref().is_none_or(|best| judged.criterion < best.criterion) {
+                        best = Some(judged);
+                    }
+                }
+                for (shape, other) in shapes.iter().enumerate() {
                     let is_twice = term.factors.iter().enumerate().any(|(i, own)| {
                         let is_envelope = own.shape.is_envelope() && other.shape.is_wave()
                             || own.shape.is_wave() && other.shape.is_envelope();

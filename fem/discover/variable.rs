@@ -150,6 +150,12 @@ impl Variable {
         self.kind.canonical().dimension == ANGLE.canonical().dimension
     }
 
+    /// Whether it goes once around a circle, where a whole number of waves runs; a piece of it is a length like any other.
+    fn is_circle(&self) -> bool {
+        let (low, high) = self.ends();
+        self.is_angle() && (0.5 * TAU..=1.01 * TAU).contains(&(high - low))
+    }
+
     /// Its least and its largest value.
     pub fn ends(&self) -> (f64, f64) {
         (self.levels[0], self.levels[self.levels.len() - 1])
@@ -249,8 +255,7 @@ impl Variable {
             let most = (0.5 * (self.levels.len() - 1) as f64).min(40.0);
             let mut periods = 0.75;
             while periods <= most {
-                // Around a circle a whole number of waves runs.
-                if !self.is_angle() || range > 1.01 * TAU {
+                if !self.is_circle() {
                     add(Shape::Wave, &[range / periods]);
                     add(Shape::Arch, &[range / periods]);
                 }

@@ -237,3 +237,42 @@ fn zeros_that_follow_a_column_are_described() {
     let blamed = told["missing"].as_array().into_iter().flatten().filter(|own| own["kind"] == "measurement").count();
     assert!(blamed == 0 && told["verdict"] != "missing-effect", "{told:#}");
 }
+
+/// A table whose worm has three lobes a turn, seen over a few teeth of its wheel.
+fn lobes(seed: u64, law: impl Fn(f64) -> f64) -> (String, String) {
+    let model = "title = \"Worm of 180 teeth\"\nprocess = \"rotary\"\n[axis]\nrange = \"13 deg\"\n\
+                 [drive]\ntype = \"worm\"\nteeth = 180\n[test]\npositions = 2\n";
+    let mut scatter = Scatter(seed);
+    let mut text = "angle [deg],direction,deviation [arcsec],u [arcsec]\n".to_string();
+    for k in 0..150 {
+        let angle = 0.05 + 0.0857 * f64::from(k) + 0.01 * scatter.even();
+        text += &format!("{angle:.5},+,{:.4},0.3\n", law(angle.to_radians()) + 0.3 * scatter.normal());
+    }
+    (model.into(), text)
+}
+
+/// A wave of what the model states, a part of the pitch of its wheel, is told as one: it neither rings nor fades.
+#[test]
+fn a_wave_over_a_piece_of_a_wheel_is_a_wave() {
+    let place = Place::new();
+    let (model, measured) = lobes(5, |angle| 3.0 * (3.0 * 180.0 * angle + 0.4).sin());
+    place.write("axis.toml", model);
+    place.write("measured.csv", measured);
+    let found = discovered(&place, &[]);
+    let formula = found["law"]["formula"].as_str().unwrap_or_default();
+    assert!(formula.contains("sin(2*pi*angle/a_p + phi)") && !formula.contains("exp"), "{found:#}");
+    // The pitch is 2 deg.
+    assert!(found["command"].to_string().contains("'a_p=0.6666667 deg'"), "{found:#}");
+}
+
+/// A wave of any other period neither rings nor fades either.
+#[test]
+fn a_wave_that_keeps_its_size_does_not_ring() {
+    let place = Place::new();
+    let (model, measured) = lobes(6, |angle| 3.0 * (angle.to_degrees() * 3.7 + 0.4).sin());
+    place.write("axis.toml", model);
+    place.write("measured.csv", measured);
+    let found = discovered(&place, &[]);
+    let formula = found["law"]["formula"].as_str().unwrap_or_default();
+    assert!(formula.contains("sin(2*pi*angle/a_p + phi)") && !formula.contains("exp"), "{found:#}");
+}

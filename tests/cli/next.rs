@@ -6,7 +6,7 @@ use super::tailstock::place;
 const DIAGNOSE: [&str; 6] = ["diagnose", "shafts.toml", "--with", "shafts.csv", "--next", "next.csv"];
 
 #[test]
-fn rows_are_written_filled_in_and_diagnosed() {
+fn rows_are_written_filled_in_and_read_with_those_there_are() {
     let place = place();
     let Answer { status, err, out } = place.fem(&[&DIAGNOSE[..], &["--json"]].concat());
     assert_eq!(status, 0, "{err}");
@@ -24,7 +24,7 @@ fn rows_are_written_filled_in_and_diagnosed() {
     let empty = place.fem(&["diagnose", "next.toml", "--with", "next.csv"]);
     assert!(empty.status == 2 && empty.err.contains("empty cell"), "{}", empty.err);
     place.write("next.csv", rows.replace(",,", ",1.5,"));
-    let again = place.fem(&["diagnose", "next.toml", "--with", "shafts.csv", "--with", "next.csv", "--json"]);
+    let again = place.fem(&["compare", "next.toml", "--with", "shafts.csv", "--with", "next.csv", "--json"]);
     let json: serde_json::Value = serde_json::from_str(&again.out).unwrap();
     let first = model("tailstock/shafts.csv").lines().filter(|line| line.starts_with(char::is_numeric)).count() as u64;
     assert_eq!(json["observations"].as_u64(), Some(first + next["observations"].as_u64().unwrap()), "{}", again.err);
