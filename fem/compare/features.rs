@@ -105,6 +105,7 @@ fn of_one(binnings: &Binnings, residuals: Residuals) -> Vec<Feature> {
         let p_value = null.p_value(&binned, &statistic);
         (p_value < SIGNIFICANCE).then(|| {
             let (trend, curve) = binned.describe(coordinates, measurements, left, sigma, kind);
+            let trend = trend.map(|own| if own.is_flat(&curve) { Trend::Irregular } else { own });
             let trend = match (&statistic.wave, trend) {
                 (Some(halves), Some(Trend::Irregular)) => Some(Trend::Periodic { periods: 0.5 * halves[0] as f64 }),
                 (_, trend) => trend,

@@ -36,7 +36,20 @@ pub enum Trend {
 /// at an end has twice as much.
 const SLIGHT: f64 = 0.125;
 
+/// Part of the scatter of a curve that a line follows at least, to be told as one.
+const LINE: f64 = 0.1;
+
 impl Trend {
+    /// Whether it is a line that says next to nothing of a curve (x, mean).
+    pub fn is_flat(&self, curve: &[(f64, f64)]) -> bool {
+        let Self::Linear { slope } = *self else { return false };
+        let scatter = |of: fn(&(f64, f64)) -> f64| {
+            let mean = curve.iter().map(of).sum::<f64>() / curve.len() as f64;
+            curve.iter().map(|p| (of(p) - mean).powi(2)).sum::<f64>()
+        };
+        slope * slope * scatter(|p| p.0) < LINE * scatter(|p| p.1)
+    }
+
     /// Word in JSON.
     pub fn word(&self) -> &'static str {
         match self {
@@ -143,5 +156,15 @@ mod tests {
         };
         assert!((height - 3.0).abs() < 1e-12 && (at - 5.5).abs() < 1e-12);
         assert_eq!(Trend::of(&points(|x| (7.0 * x * x).sin()), 1e-3), Trend::Irregular);
+    }
+
+    #[test]
+    fn a_line_through_ups_and_downs_is_flat() {
+        let curve = |slope: f64| -> Vec<(f64, f64)> {
+            (0..20).map(|i| (f64::from(i), slope * f64::from(i) + f64::from(i).cos())).collect()
+        };
+        for (slope, is_flat) in [(0.0, true), (0.01, true), (-0.5, false)] {
+            assert_eq!(Trend::Linear { slope }.is_flat(&curve(slope)), is_flat, "{slope}");
+        }
     }
 }

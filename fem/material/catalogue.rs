@@ -389,10 +389,17 @@ pub const ALL: &[Entry] = &[
         cutting: cutting(150.0, 0.20, 25.0, "Walter, machining groups: O1"),
     },
     Entry {
-        names: &["POM-C", "POM", "acetal", "Delrin", "Hostaform"],
+        names: &["POM-C", "POM", "acetal", "Hostaform"],
         material: material(2.8e9, 0.38, 1410.0, 110.0e-6, 0.31, 1470.0),
         spread: [8.0, 12.0, 15.0, 5.0],
         source: "semi-finished POM-C of Ensinger and Celanese (tensile modulus 2.7..2.8 GPa; alpha 100..120); POM-H: E 3.1",
+        cutting: cutting(150.0, 0.20, 25.0, "Walter, machining groups: O1"),
+    },
+    Entry {
+        names: &["POM-H", "Delrin"],
+        material: material(3.1e9, 0.38, 1420.0, 110.0e-6, 0.31, 1470.0),
+        spread: [8.0, 12.0, 15.0, 5.0],
+        source: "datasheets of Delrin 100 and 150 (tensile modulus 3.0..3.2 GPa; alpha 100..120)",
         cutting: cutting(150.0, 0.20, 25.0, "Walter, machining groups: O1"),
     },
 ];

@@ -1,12 +1,14 @@
 //! Actual values beside commanded ones: what is observed is their difference.
 
+use std::f64::consts::TAU;
+
 use csv::StringRecord;
 
 use super::heading::Heading;
 use super::records::Records;
 use super::vocabulary::Vocabulary;
 use crate::input::Problem;
-use crate::units::Unit;
+use crate::units::{ANGLE, Unit};
 
 /// A column that was made of an actual value less a commanded one in the same unit.
 #[derive(Clone, Copy, Debug)]
@@ -71,7 +73,12 @@ pub fn less_commanded(
 /// `None` where they are no numbers.
 fn difference(cells: [&str; 2], units: [Unit; 2]) -> Option<String> {
     let [actual, commanded] = [cells[0].parse::<f64>().ok()?, cells[1].parse::<f64>().ok()?];
-    let apart = actual - commanded * units[1].factor / units[0].factor;
+    let mut apart = actual - commanded * units[1].factor / units[0].factor;
+    if units[0].dimension == ANGLE.canonical().dimension {
+        // 359.999 deg where 0 was commanded is a little less, and no turn more.
+        let turn = TAU / units[0].factor;
+        apart -= turn * (apart / turn).round();
+    }
     let is_decimal = |cell: &&str| !cell.contains(['e', 'E']);
     if units[0] != units[1] || !cells.iter().all(is_decimal) || !apart.is_finite() {
         return Some(apart.to_string());

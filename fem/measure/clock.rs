@@ -2,8 +2,35 @@
 
 use super::heading::Heading;
 use super::moment::Moment;
-use super::records::{Records, Refused};
+use super::records::{RecordReader, Records, Refused};
 use crate::input::Problem;
+
+/// Puts dates that have a column of their own before the times of day beside them, as loggers write them; what is told of it.
+/// The column of dates is left out then.
+pub fn with_dates(headings: &mut Vec<Heading>, records: &mut Records, time: usize) -> Option<String> {
+    if records.is_empty() || !headings[time].unit.is_empty() {
+        return None;
+    }
+    let mut reader = records.reader();
+    let first = reader.read(0).clone();
+    let is_of_day = |cell: &str| Moment::parse(cell).is_some_and(|own| !own.has_date);
+    let is_dates = |column: usize, reader: &mut RecordReader<'_>| {
+        (0..records.len()).all(|record| Moment::is_date(&reader.read(record)[column]))
+    };
+    if !is_of_day(&first[time]) {
+        return None;
+    }
+    let unknown = (0..headings.len()).filter(|column| !headings[*column].is_known);
+    let mut dates = unknown.filter(|column| Moment::is_date(&first[*column]) && is_dates(*column, &mut reader));
+    let (date, None) = (dates.next()?, dates.next()) else { return None };
+    drop(reader);
+    records.rewrite(&[time], |_, cells, time| Some(format!("{} {}", &cells[date], &cells[time])));
+    let told = format!("`{}` with the dates of `{}`", headings[time].written, headings[date].written);
+    let kept: Vec<usize> = (0..headings.len()).filter(|column| *column != date).collect();
+    records.keep(&kept);
+    headings.remove(date);
+    Some(told)
+}
 
 /// Counts the moments of a column from the first of them, or from the one that its heading says.
 ///

@@ -63,12 +63,26 @@ pub fn settle(
     Ok(records.rewrite_or_refuse(&numeric, |_, cells, column| plain(&cells[column], decimal).transpose()))
 }
 
+/// A number with a point of a cell that holds a text, where its decimal mark is said, or is a comma beyond doubt: spreadsheets
+/// keep numbers as such, and these need none. `None` where the text is no number, or could be two.
+pub fn of_text(text: &str, said: Option<Decimal>) -> Option<String> {
+    let mantissa = mantissa(text)?;
+    let decimal = said.or_else(|| {
+        let fraction = mantissa.split_once(',')?.1;
+        (!mantissa.contains('.') && !fraction.contains(',') && fraction.len() != 3).then_some(Decimal::Comma)
+    })?;
+    plain(text, decimal)?.ok()
+}
+
 /// The mark that alone occurs; a point where none does.
 fn found(records: &Records, numeric: &[bool]) -> Result<Decimal, Problem> {
     let mut first: [Option<(String, usize)>; 2] = [None, None];
+    let mut columns = vec![Grouping::default(); numeric.len()];
     let mut reader = records.reader();
     for record in 0..records.len() {
-        for (cell, _) in reader.read(record).iter().zip(numeric).filter(|(_, numeric)| **numeric) {
+        let cells = reader.read(record).iter().zip(numeric).zip(&mut columns);
+        for ((cell, _), column) in cells.filter(|((_, numeric), _)| **numeric) {
+            column.see(cell, record);
             let place = match style(cell) {
                 Style::With(',') => &mut first[0],
                 Style::With(_) => &mut first[1],
@@ -90,7 +104,63 @@ fn found(records: &Records, numeric: &[bool]) -> Result<Decimal, Problem> {
             }
         }
     }
-    Ok(if first[0].is_some() { Decimal::Comma } else { Decimal::Point })
+    if first[0].is_some() {
+        return Ok(Decimal::Comma);
+    }
+    match columns.iter().find_map(Grouping::doubted) {
+        Some((cell, record)) => {
+            let message = format!("`{cell}` in line {} may be one and a fraction, or thousands", records.line(record));
+            Err(Problem::new(message).help(ASK).at(Some(records.place(record))))
+        }
+        None => Ok(Decimal::Point),
+    }
+}
+
+/// What speaks for points that group thousands in a column: whole numbers of three digits, and none but numbers that would go on
+/// from there as thousands, and as fractions fall to a few.
+#[derive(Clone, Debug)]
+struct Grouping {
+    /// Whether every number with a point has three digits behind it and one to three before.
+    is_grouped: bool,
+    /// Largest of these, read as fractions, and where the first stands.
+    most: f64,
+    first: Option<(String, usize)>,
+    /// Least number without a point, if it is a hundred at least.
+    least: f64,
+}
+
+/// Ratio of numbers without a point to those with one from which these are no fractions.
+const APART: f64 = 20.0;
+
+impl Default for Grouping {
+    fn default() -> Self {
+        Self { is_grouped: true, most: 0.0, first: None, least: f64::INFINITY }
+    }
+}
+
+impl Grouping {
+    fn see(&mut self, cell: &str, record: usize) {
+        let Some(digits) = mantissa(cell) else { return };
+        match digits.split_once('.') {
+            // Nothing is written alike either way.
+            None => self.least = self.least.min(digits.parse().ok().filter(|own| *own != 0.0).unwrap_or(f64::INFINITY)),
+            Some((whole, fraction)) => {
+                let is_grouped = (1..=3).contains(&whole.len()) && !whole.starts_with('0') && fraction.len() == 3;
+                self.is_grouped &= is_grouped && digits.len() == cell.trim_start_matches(['+', '-', '−']).len();
+                self.most = self.most.max(digits.parse().unwrap_or(f64::INFINITY));
+                if self.first.is_none() {
+                    self.first = Some((cell.to_string(), record));
+                }
+            }
+        }
+    }
+
+    /// The first number that may be thousands.
+    fn doubted(&self) -> Option<(&str, usize)> {
+        let is_doubted =
+            self.is_grouped && self.least >= 100.0 && self.least.is_finite() && APART * self.most < self.least;
+        self.first.as_ref().filter(|_| is_doubted).map(|(cell, record)| (&**cell, *record))
+    }
 }
 
 const ASK: &str = "say --decimal comma, and points group thousands, or --decimal point, and commas do";

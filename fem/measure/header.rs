@@ -96,7 +96,15 @@ fn column(name: &str, unit: &str, vocabulary: Vocabulary) -> Result<Column, Prob
 fn unfit(name: &str, kind: &Kind, error: UnitError) -> Problem {
     let is_time = kind.canonical().dimension == TIME.canonical().dimension;
     let or = if is_time { ", or dates with times, 2026-03-01T10:00:00, in its cells" } else { "" };
-    Problem::new(format!("`{name}`: {}", error.message)).help(format!("write {name} [{}]{or}", kind.unit))
+    // Another unit behind the same numbers would make others of them.
+    let help = match error.hint {
+        Some(hint) if hint.ends_with('?') => {
+            format!("{hint} Or give the numbers in {} and write {name} [{}]{or}", kind.unit, kind.unit)
+        }
+        Some(hint) => format!("{hint}; or give the numbers in {} and write {name} [{}]{or}", kind.unit, kind.unit),
+        None => format!("write the unit that the numbers have; in {} it is {name} [{}]{or}", kind.unit, kind.unit),
+    };
+    Problem::new(format!("`{name}`: {}", error.message)).help(help)
 }
 
 fn note(name: &str, vocabulary: Vocabulary) -> Option<String> {

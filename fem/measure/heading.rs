@@ -63,7 +63,16 @@ impl Heading {
         if !is_known {
             return Ok(Self { name: spelled.to_string(), unit: unit.to_string(), ..heading });
         }
-        if spelled.starts_with('U') {
+        if spelled.starts_with(['-', '−', '–']) {
+            return Err(Problem::new(format!("`{spelled}` counts the other way round than {}", heading.name)).help(
+                format!(
+                    "give its numbers with the other sign and write {}, or leave it out: --columns '{spelled}=-'",
+                    heading.name
+                ),
+            ));
+        }
+        // `U`, `U (k=2)`, `U_diameter`; a word that begins so is none.
+        if spelled.strip_prefix('U').is_some_and(|rest| !rest.starts_with(char::is_alphabetic)) {
             return Err(Problem::new(format!("`{spelled}` often means an expanded uncertainty")).help(format!(
                 "write {} [..] if it is the standard uncertainty, or say --columns '{spelled}={}'; else divide it \
                  by its coverage factor",

@@ -5,6 +5,7 @@ mod alike;
 mod clock;
 mod decimal;
 mod exported;
+mod footer;
 mod header;
 mod header_rows;
 mod heading;

@@ -34,6 +34,11 @@ impl Moment {
         Some(Self { since, has_date: date.is_some(), has_zone })
     }
 
+    /// Whether a text is a date alone.
+    pub(super) fn is_date(text: &str) -> bool {
+        days(text.trim()).is_some()
+    }
+
     /// Seconds since another moment of the same form; `None` where the forms differ.
     pub(super) fn after(self, other: Self) -> Option<f64> {
         let is_same = self.has_date == other.has_date && self.has_zone == other.has_zone;
@@ -81,17 +86,26 @@ fn zone(time: &str) -> Option<(&str, Option<i128>)> {
     let (time, offset) = time.split_at(sign);
     let (hours, minutes) = match offset[1..].split_once(':') {
         Some((hours, minutes)) => (digits(hours, 2)?, digits(minutes, 2)?),
-        None if offset.len() == 5 => (digits(&offset[1..3], 2)?, digits(&offset[3..], 2)?),
+        None if offset.len() == 5 => (digits(offset.get(1..3)?, 2)?, digits(offset.get(3..)?, 2)?),
         None => (digits(&offset[1..], 2)?, 0),
     };
     let ahead = 60 * hours + minutes;
     Some((time, Some(if offset.starts_with('-') { -ahead } else { ahead })))
 }
 
+/// Most hours of a time that has passed.
+const MOST_HOURS: i128 = 9999;
+
 /// Nanoseconds since midnight.
 fn of_day(time: &str, may_end_with_minutes: bool) -> Option<i128> {
     let mut parts = time.trim().split(':');
-    let (hours, minutes) = (digits(parts.next()?, 2)?, digits(parts.next()?, 2)?);
+    let hours = parts.next()?;
+    // Beside a date a day has 24 hours; what has none may be a time that has passed, 30:00:00.
+    let (most, hours) = match may_end_with_minutes {
+        true => (23, digits(hours, 2)?),
+        false => (MOST_HOURS, digits(hours, hours.len().clamp(2, 4))?),
+    };
+    let minutes = digits(parts.next()?, 2)?;
     let seconds = match parts.next() {
         Some(seconds) => seconds,
         None if may_end_with_minutes => "00",
@@ -99,7 +113,7 @@ fn of_day(time: &str, may_end_with_minutes: bool) -> Option<i128> {
     };
     let (whole, fraction) = seconds.split_once(['.', ',']).unwrap_or((seconds, "0"));
     let whole = digits(whole, 2)?;
-    if parts.next().is_some() || hours > 23 || minutes > 59 || whole > 60 || fraction.is_empty() {
+    if parts.next().is_some() || hours > most || minutes > 59 || whole > 60 || fraction.is_empty() {
         return None;
     }
     let fraction = &fraction[..fraction.len().min(9)];

@@ -168,6 +168,11 @@ impl Records {
         }
     }
 
+    /// Keeps the first records alone.
+    pub fn keep_first(&mut self, count: usize) {
+        self.places.truncate(count);
+    }
+
     /// Writes cells of some columns otherwise: those for which `write`, given the number of a record, its cells and the
     /// column, says how.
     pub fn rewrite(&mut self, columns: &[usize], mut write: impl FnMut(usize, &StringRecord, usize) -> Option<String>) {

@@ -27,6 +27,8 @@ pub struct Repeats {
     pub drifting: bool,
     /// Pass of each row: by its run, direction and other labels, and its observable; where rows drift.
     pass: Option<Arc<Vec<usize>>>,
+    /// The coordinate that is a time, where rows drift: a file may stand in another order.
+    time: Option<usize>,
     /// Recorded conditions in which rows of a group differ, and which show in them: within each group the scatter is that
     /// about what is in proportion to each.
     conditions: Vec<Arc<Vec<f64>>>,
@@ -85,6 +87,7 @@ impl Repeats {
             groups: group.iter().max().map_or(0, |most| most + 1),
             scatter: vec![Scatter::default(); measurements.observables.len()],
             pass: drifting.then(pass),
+            time: coordinates.iter().position(|own| own.holds.kind() == Some(TIME)),
             drifting,
             conditions: Vec::new(),
             group: Arc::new(group.into_iter().collect()),
@@ -124,7 +127,11 @@ impl Repeats {
         let shifts: usize = of_levels.into_iter().map(|part| distinct(part).saturating_sub(1)).sum();
         let taken = take_slopes_out(&rows, &of_group, &self.conditions, &mut left);
         let scatter = |(number, own): (usize, &Scatter)| {
-            let of: Vec<usize> = (0..rows.len()).filter(|i| measurements.observable(rows[*i]) == number).collect();
+            let mut of: Vec<usize> = (0..rows.len()).filter(|i| measurements.observable(rows[*i]) == number).collect();
+            if let (Some(_), Some(times)) = (&self.pass, self.time.and_then(|time| measurements.rows.columns.get(time)))
+            {
+                of.sort_by(|a, b| times[rows[*a]].total_cmp(&times[rows[*b]]));
+            }
             let count = of.len() + aside[number];
             // Groups are those of all rows: one that has lost its only row to `is_out` has no scatter either.
             let groups = own.groups.max(aside[number] + distinct(of.iter().map(|i| of_group[*i]).collect()));

@@ -23,6 +23,8 @@ const MOST: usize = 200_000;
 const BESIDE: usize = 6;
 /// Rows on either side of a slip in which no other reading is far off.
 const NEARBY: usize = 3;
+/// Most others that are far off without which a reading is looked at.
+const MOST_BESIDE: usize = 8;
 /// Largest share of the rows that may be slips.
 const MOST_SHARE: f64 = 0.05;
 /// Ratio of the standard deviation of a normal distribution to its median absolute deviation.
@@ -62,6 +64,9 @@ impl Measurements {
         let mut all = Vec::new();
         for (column, own) in columns.iter().enumerate() {
             let Column::Observed(observable, unit) = own else { continue };
+            if vocabulary.observables[*observable].is_traced {
+                continue;
+            }
             let typed = |row: usize| {
                 let cells = self.records.get(self.records_of.get(row)?);
                 let of_difference = difference.filter(|own| own.column == column).and_then(|own| own.actual(&cells));
@@ -104,7 +109,16 @@ pub fn slips(
     let mut found: Vec<Slip> = Vec::new();
     // A slip takes the surroundings of its neighbours with it: one at a time, and all are looked at anew.
     'all: while let Some(here) = surroundings(&left) {
-        for own in here.far() {
+        let far = here.far();
+        for own in &far {
+            // What is off because of one beside it is none.
+            let follows = |other: &Around| {
+                let without: Vec<usize> = left.iter().copied().filter(|row| *row != other.row).collect();
+                surroundings(&without).is_some_and(|there| there.has(own.row) && !there.is_far(own.row))
+            };
+            if far.iter().filter(|other| other.row != own.row).take(MOST_BESIDE).any(|other| follows(other)) {
+                continue;
+            }
             let Some((text, factor)) = typed(own.row) else { continue };
             let shift = own.value - own.observed;
             let near = NEAR * here.scale * own.spread;
@@ -151,9 +165,12 @@ struct Surroundings {
 impl Surroundings {
     /// `None` where rows follow each other along no coordinate.
     fn of(all: &Measurements, coordinates: &[Coordinate], rows: &[usize]) -> Option<Self> {
-        let is_one = |i: &usize| all.given.contains(i) && !matches!(coordinates[*i].holds, Holds::Word(_));
+        let is_one = |i: &usize| {
+            let own = &coordinates[*i];
+            all.given.contains(i) && !own.is_recorded && !matches!(own.holds, Holds::Word(_))
+        };
         let one = |i: usize| {
-            let around = along_one(all, rows, i);
+            let around = along_one(all, coordinates, rows, i);
             if 2 * around.len() < rows.len().max(2 * FEWEST) {
                 return None;
             }
@@ -181,6 +198,15 @@ impl Surroundings {
         sizes.get(sizes.len() / 2).copied().unwrap_or(0.0).max(1.0)
     }
 
+    /// Whether something stands around a row.
+    fn has(&self, row: usize) -> bool {
+        self.around.iter().any(|own| own.row == row)
+    }
+
+    fn is_far(&self, row: usize) -> bool {
+        self.far().iter().any(|own| own.row == row)
+    }
+
     /// Readings that are far off, the farthest first.
     fn far(&self) -> Vec<&Around> {
         let is_far = |(i, own): &(usize, &Around)| self.off(own) > FAR * self.usual(*i);
@@ -191,8 +217,10 @@ impl Surroundings {
 }
 
 /// What stands around rows that differ in one coordinate alone, in its order.
-fn along_one(all: &Measurements, rows: &[usize], coordinate: usize) -> Vec<Around> {
-    let others: Vec<usize> = all.given.iter().copied().filter(|i| *i != coordinate).collect();
+fn along_one(all: &Measurements, coordinates: &[Coordinate], rows: &[usize], coordinate: usize) -> Vec<Around> {
+    // What is recorded beside the readings parts no series.
+    let is_own = |i: &usize| *i != coordinate && coordinates.get(*i).is_some_and(|own| !own.is_recorded);
+    let others: Vec<usize> = all.given.iter().copied().filter(is_own).collect();
     // Times differ in every row and hold no series together.
     let level = |i: &usize| {
         let mut values: Vec<u64> = rows.iter().map(|row| all.rows.columns[*i][*row].to_bits()).collect();
@@ -253,6 +281,10 @@ fn alternatives(typed: &str, value: f64) -> Vec<(String, &'static str)> {
         if is_digit(i) && is_digit(i + 1) && digits[i] != digits[i + 1] {
             let mut swapped = digits.clone();
             swapped.swap(i, i + 1);
+            // Nobody means 01.840.
+            if swapped[0] == '0' && swapped.get(1).is_some_and(char::is_ascii_digit) {
+                continue;
+            }
             all.push((swapped.iter().collect(), "two digits stand in the wrong order"));
         }
     }
@@ -284,6 +316,13 @@ fn alternatives(typed: &str, value: f64) -> Vec<(String, &'static str)> {
         (-1.0, "its sign is wrong"),
     ];
     all.extend(factors.map(|(factor, what)| (format!("{:.12e}", factor * value), what)));
+    if !typed.contains('.') {
+        for i in (1..digits.len()).filter(|i| is_digit(*i) && is_digit(i - 1)) {
+            let mut parted = digits.clone();
+            parted.insert(i, '.');
+            all.push((parted.iter().collect(), "the decimal point is missing"));
+        }
+    }
     let plain = |(text, what): (String, &'static str)| {
         let is_plain = !text.contains('e');
         (if is_plain { text } else { text.parse::<f64>().map_or(text, |own| own.to_string()) }, what)
@@ -305,6 +344,7 @@ mod tests {
             ("1.4182", 36.023, "it is in inches where the others are in mm"),
             ("366.023", 36.023, "a digit was typed twice"),
             ("-5.2", 5.2, "its sign is wrong"),
+            ("360230", 36.023, "the decimal point is missing"),
         ] {
             let value: f64 = typed.parse().unwrap();
             let (meant, told) = meant(typed, truth - value, 0.002).unwrap();

@@ -4,15 +4,16 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::actual::Difference;
+use super::decimal::{self, Decimal};
 use super::exported::Exported;
 use super::heading::{self, Heading};
 use super::reading::{self, Reading};
 use super::records::{Records, Refused};
-use super::sheet::Sheet;
+use super::sheet::{Parted, Sheet};
 use super::vocabulary::Vocabulary;
-use super::{actual, clock, decimal, header, header_rows, stacked, wide, worded, words};
+use super::{actual, clock, footer, header, header_rows, stacked, wide, worded, words};
 use crate::input::{Problem, did_you_mean};
-use crate::process::Holds;
+use crate::process::{Holds, Words};
 use crate::units::{TIME, plain_unit};
 
 /// Most readings of one sort that are told one by one.
@@ -64,9 +65,19 @@ fn read_as(file: &Exported, vocabulary: Vocabulary, said: &Reading) -> Result<Ta
         return Err(vec![of_header(unnamed(&sheet, vocabulary))]);
     }
     units(&mut headings, &mut sheet, &mut told).map_err(|problem| vec![problem])?;
+    told.extend(footer::left_out(&mut sheet.records));
+    by_words(&mut headings, &sheet.records, vocabulary);
+    if let Some(time) = headings.iter().position(|heading| is_time(heading, vocabulary)) {
+        told.extend(clock::with_dates(&mut headings, &mut sheet.records, time));
+    }
     let numeric: Vec<bool> = headings.iter().map(|heading| is_numeric(heading, vocabulary)).collect();
     let mut refused = Refused { problems: sheet.problems, ..Refused::default() };
-    let marks = (said.decimal, said.kept.as_ref().and_then(|kept| kept.decimal));
+    let kept = said.kept.as_ref().and_then(|kept| kept.decimal);
+    let marks = match file.parted {
+        // What was said was of texts, and numbers are numbers.
+        Parted::Workbook => (said.decimal.or(kept).map(|_| Decimal::Point), None),
+        _ => (said.decimal, kept),
+    };
     let marks = decimal::settle(&mut sheet.records, &numeric, sheet.separator, marks, &mut told);
     refused.add(marks.map_err(|problem| vec![problem])?);
     for (column, heading) in headings.iter_mut().enumerate().filter(|(_, heading)| is_time(heading, vocabulary)) {
@@ -189,6 +200,31 @@ fn units(headings: &mut [Heading], sheet: &mut Sheet, told: &mut Vec<String>) ->
     told.push(format!("units from line {}", sheet.records.line(0)));
     sheet.records.leave_first_out();
     Ok(())
+}
+
+/// Takes a column of whatever name that holds nothing but words of a coordinate which no other column is for that coordinate.
+fn by_words(headings: &mut [Heading], records: &Records, vocabulary: Vocabulary) {
+    let of = |column: usize, all: &Words| {
+        let mut reader = records.reader();
+        let cells: Vec<String> = (0..records.len())
+            .map(|record| reader.read(record)[column].to_string())
+            .filter(|cell| !cell.is_empty())
+            .collect();
+        let is_word = |cell: &String| words::meant(cell, all).is_some();
+        // Numbers mean many things.
+        cells.iter().all(is_word) && cells.iter().any(|cell| cell.parse::<f64>().is_err())
+    };
+    let taken: Vec<String> = headings.iter().filter(|own| own.is_known).map(|own| own.name.clone()).collect();
+    let absent = vocabulary.coordinates.iter().filter(|own| !taken.iter().any(|name| *own.name == **name));
+    for coordinate in absent {
+        let Holds::Word(all) = &coordinate.holds else { continue };
+        let unknown =
+            headings.iter_mut().enumerate().filter(|(_, heading)| !heading.is_known && heading.unit.is_empty());
+        let mut meant = unknown.filter(|(column, _)| of(*column, all));
+        if let (Some((_, heading)), None) = (meant.next(), meant.next()) {
+            (heading.name, heading.is_known) = (coordinate.name.to_string(), true);
+        }
+    }
 }
 
 fn is_numeric(heading: &Heading, vocabulary: Vocabulary) -> bool {

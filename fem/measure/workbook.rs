@@ -2,8 +2,11 @@
 
 use std::io::Cursor;
 
-use calamine::{Data, DataType, ExcelDateTime, Ods, Reader, Sheets, Xls, Xlsb, Xlsx, open_workbook_from_rs};
+use calamine::{
+    Data, DataType, ExcelDateTime, Ods, Reader, SheetVisible, Sheets, Xls, Xlsb, Xlsx, open_workbook_from_rs,
+};
 
+use super::decimal::{self, Decimal};
 use super::layout;
 use super::reading::Reading;
 use crate::input::Problem;
@@ -39,12 +42,16 @@ pub fn text(
 ) -> Option<Result<String, Problem>> {
     (bytes.starts_with(ZIP) || bytes.starts_with(COMPOUND)).then(|| {
         let mut book = open(bytes)?;
-        *sheets = book.sheet_names();
+        // Those that nobody sees are looked at last.
+        let (seen, hidden): (Vec<_>, Vec<_>) =
+            book.sheets_metadata().iter().partition(|sheet| sheet.visible == SheetVisible::Visible);
+        *sheets = seen.into_iter().chain(hidden).map(|sheet| sheet.name.clone()).collect();
         sheet(&mut book, sheets, said, told)
     })
 }
 
 fn sheet(book: &mut Book, names: &[String], said: &Reading, told: &mut Vec<String>) -> Result<String, Problem> {
+    let marks = said.decimal.or(said.kept.as_ref().and_then(|kept| kept.decimal));
     let named = |name: &String| names.iter().find(|own| own.trim().eq_ignore_ascii_case(name.trim()));
     let kept = || said.kept.as_ref().and_then(|kept| named(kept.sheet.as_ref()?));
     if let Some(name) = said.sheet.as_ref().or_else(kept) {
@@ -53,11 +60,11 @@ fn sheet(book: &mut Book, names: &[String], said: &Reading, told: &mut Vec<Strin
             return Err(problem.help(format!("its sheets are {}", names.join(", "))));
         };
         told.push(format!("the sheet `{own}`"));
-        return written(book, own);
+        return written(book, own, marks);
     }
     let mut best: Option<(usize, &String, String)> = None;
     for name in names {
-        let text = written(book, name)?;
+        let text = written(book, name, marks)?;
         let rows = layout::rows(&text, '\t');
         if rows > best.as_ref().map_or(0, |(most, ..)| *most) {
             best = Some((rows, name, text));
@@ -104,13 +111,13 @@ fn open(bytes: &[u8]) -> Result<Book<'_>, Problem> {
     }
 }
 
-/// The text of a sheet.
-fn written(book: &mut Book, name: &str) -> Result<String, Problem> {
+/// The text of a sheet; numbers that are texts have the decimal mark that was said.
+fn written(book: &mut Book, name: &str, marks: Option<Decimal>) -> Result<String, Problem> {
     let wrong = |error: &dyn std::fmt::Display| {
         let problem = Problem::new(format!("the sheet `{name}` cannot be read: {error}"));
         problem.help("save it anew as .xlsx, or as CSV")
     };
-    let mut lines = Lines::default();
+    let mut lines = Lines { marks, ..Lines::default() };
     match book {
         // Cell by cell, for one that stands far off would make a table of all that lies between.
         Sheets::Xlsx(book) => {
@@ -133,6 +140,8 @@ fn written(book: &mut Book, name: &str) -> Result<String, Problem> {
 /// Lines of a sheet as they come, row after row.
 #[derive(Default)]
 struct Lines {
+    /// The decimal mark of numbers that are texts.
+    marks: Option<Decimal>,
     text: String,
     row: u32,
     column: u32,
@@ -156,13 +165,13 @@ impl Lines {
             self.text.push('\t');
             self.column += 1;
         }
-        self.text.push_str(&shown(cell));
+        self.text.push_str(&shown(cell, self.marks));
         Ok(())
     }
 }
 
 /// A cell as a table of text would have it.
-fn shown(cell: &Data) -> String {
+fn shown(cell: &Data, marks: Option<Decimal>) -> String {
     match cell {
         Data::Empty => String::new(),
         // Fifteen digits are what spreadsheets keep; more are round-off of their sums.
@@ -173,7 +182,7 @@ fn shown(cell: &Data) -> String {
         Data::DateTimeIso(text) | Data::DurationIso(text) => quoted(text),
         // A line that begins with # would be a comment.
         Data::Error(error) => format!("error {error}"),
-        Data::String(text) => quoted(text),
+        Data::String(text) => decimal::of_text(text.trim(), marks).unwrap_or_else(|| quoted(text)),
     }
 }
 
@@ -183,8 +192,15 @@ fn quoted(text: &str) -> String {
     if line.starts_with('#') || line.contains('"') { format!("\"{}\"", line.replace('"', "\"\"")) } else { line }
 }
 
-/// A date with its time, or a time of day alone.
+/// A date with its time, a time of day alone, or a duration, of which the hours go on beyond a day.
 fn moment_of(moment: &ExcelDateTime) -> String {
+    let days = moment.as_f64();
+    if moment.is_duration() && days >= 1.0 {
+        let thousandths = (days * 86_400e3).round() as u64;
+        let (seconds, rest) = (thousandths / 1000, thousandths % 1000);
+        let fraction = if rest > 0 { format!(".{rest:03}") } else { String::new() };
+        return format!("{:02}:{:02}:{:02}{fraction}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+    }
     let (year, month, day, hours, minutes, seconds, thousandths) = moment.to_ymd_hms_milli();
     let fraction = if thousandths > 0 { format!(".{thousandths:03}") } else { String::new() };
     let time = format!("{hours:02}:{minutes:02}:{seconds:02}{fraction}");

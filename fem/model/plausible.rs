@@ -3,7 +3,7 @@
 use super::Model;
 use crate::input::Problem;
 use crate::measure::Measurements;
-use crate::process::Rows;
+use crate::process::{Observable, Rows};
 
 /// Most rows that are looked at.
 const MOST: usize = 2000;
@@ -20,6 +20,35 @@ const MISTAKES: &[(f64, &str)] = &[
 
 /// Part of the difference that may be left where a mistake explains it.
 const EXPLAINED: f64 = 0.1;
+
+/// Times as far off as any difference is, from which a reading is of nothing that was made.
+const NOTHING: f64 = 20.0;
+
+/// The problem of a few readings (row, predicted) among others that lie farther off than any difference is, where one mistake
+/// explains all of them: a part that was measured in inches.
+fn some_far_off(observable: &Observable, measurements: &Measurements, readings: &[(usize, f64)]) -> Option<Problem> {
+    let off = |(row, predicted): &(usize, f64), factor: f64| (factor * measurements.observed[*row] - predicted).abs();
+    let far: Vec<&(usize, f64)> = readings.iter().filter(|own| off(own, 1.0) > observable.largest).collect();
+    let explains = |factor: f64| far.iter().all(|own| off(own, factor) < EXPLAINED * off(own, 1.0));
+    let (row, _) = **far.first()?;
+    let meant = MISTAKES.iter().find(|(factor, _)| explains(*factor)).filter(|_| far.len() > 1);
+    let is_nothing = far.iter().all(|own| off(own, 1.0) > NOTHING * observable.largest);
+    let meant = match meant {
+        Some((_, what)) => format!("; as if {what}"),
+        None if is_nothing => String::new(),
+        None => return None,
+    };
+    let problem = Problem::new(format!(
+        "{} of `{}` {} more than {} from what the drawing says, and the others do not, as {} in {}{meant}",
+        if far.len() == 1 { "one reading".into() } else { format!("{} readings", far.len()) },
+        observable.name,
+        if far.len() == 1 { "lies" } else { "lie" },
+        observable.error_kind().format(observable.largest),
+        observable.kind.format(measurements.observed[row]),
+        measurements.place(row),
+    ));
+    Some(problem.help("write them in the unit of the column, or leave them out"))
+}
 
 /// The problem of readings whose middle lies farther from what the drawing says than any such difference is.
 pub fn implausible(model: &Model, measurements: &Measurements, rows: &Rows) -> Option<Problem> {
@@ -45,16 +74,37 @@ pub fn implausible(model: &Model, measurements: &Measurements, rows: &Rows) -> O
             all.sort_unstable_by(f64::total_cmp);
             all.get(all.len() / 2).copied()
         };
-        let Some(difference) = off(1.0).filter(|own| *own > observable.largest) else { continue };
+        let Some(difference) = off(1.0).filter(|own| *own > observable.largest) else {
+            let readings: Vec<(usize, f64)> = own.iter().copied().zip(predicted).collect();
+            match some_far_off(observable, measurements, &readings) {
+                Some(problem) => return Some(problem),
+                None => continue,
+            }
+        };
         let (row, name) = (own[own.len() / 2], &observable.name);
         let shown = observable.kind.format(measurements.observed[row]);
         let is_meant = |(factor, _): &&(f64, &str)| off(*factor).is_some_and(|left| left < EXPLAINED * difference);
         let meant = MISTAKES.iter().find(is_meant).map_or(String::new(), |(_, what)| format!("; as if {what}"));
+        let actual = model.process.coordinates().iter().position(|own| own.actual == Some(position));
+        let is_place = |row: &usize| {
+            let at = actual.and_then(|own| rows.get(own, *row));
+            at.is_some_and(|at| (measurements.observed[*row] - at).abs() < observable.largest)
+        };
+        let (meant, help) = match 2 * own.iter().filter(|row| is_place(row)).count() > own.len() {
+            true => (
+                "; they are actual values, and no differences".into(),
+                Some("name their column `actual`: --columns 'HEADING=actual'"),
+            ),
+            false => (meant, None),
+        };
         let problem = Problem::new(format!(
             "half of the readings of `{name}` lie more than {} from what the drawing says, as {shown} in {}{meant}",
             observable.error_kind().format(difference),
             measurements.place(row),
         ));
+        if let Some(help) = help {
+            return Some(problem.help(help));
+        }
         let unit = observable.kind.unit;
         return Some(problem.help(format!(
             "is the unit right, is it the part of the model? say the unit: --columns 'HEADING={name} [{unit}]', or mend the model"

@@ -69,6 +69,25 @@ pub fn at_true_times(rows: &Rows, terms: &[Term], time: Option<usize>) -> Rows {
     rows
 }
 
+/// Says that rows are beyond the range of a characteristic, where they are.
+fn beyond(term: &Term, rows: &Rows, values: &[f64]) -> Option<String> {
+    let [low, high] = term.range?;
+    let wide = FURTHER * (high - low);
+    let is_own = |row: &usize| term.observable.is_none_or(|own| own == rows.observable[*row]);
+    let is_beyond = |row: &usize| !(low - wide..=high + wide).contains(&values[*row]);
+    let count = (0..rows.len()).filter(is_own).filter(is_beyond).count();
+    (count > 0).then(|| {
+        format!(
+            "{count} of {} rows are beyond `low` and `high` of `{}`: its curve is known between them, and goes on as a polynomial",
+            rows.len(),
+            term.table
+        )
+    })
+}
+
+/// Part of its range by which a reading may be beyond it.
+const FURTHER: f64 = 0.05;
+
 impl ForwardModel for Instrument {
     fn predict(&self, progress: &Progress) -> Result<Vec<f64>, Failure> {
         self.part.predict(progress)
@@ -91,7 +110,15 @@ impl ForwardModel for Instrument {
     }
 
     fn doubts(&self, rows: &Rows) -> Result<Vec<String>, Failure> {
-        self.part.doubts(&at_true_times(rows, &self.terms, self.time))
+        let rows = at_true_times(rows, &self.terms, self.time);
+        let mut doubts = self.part.doubts(&rows)?;
+        let mut ranges: Vec<&Term> = self.terms.iter().filter(|term| term.range.is_some()).collect();
+        ranges.dedup_by(|a, b| a.table == b.table);
+        if !ranges.is_empty() {
+            let values = self.part.observe(&rows)?;
+            doubts.extend(ranges.into_iter().filter_map(|term| beyond(term, &rows, &values)));
+        }
+        Ok(doubts)
     }
 
     fn report(&self, prediction: Vec<f64>) -> Result<RunReport, Failure> {

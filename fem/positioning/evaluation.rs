@@ -1,6 +1,6 @@
 //! The statistics of a positioning test by ISO 230-2: means and scatter of every target from either side.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::{Approach, Direction, Measures};
 
@@ -38,6 +38,14 @@ pub struct Target {
 pub struct Evaluation {
     /// Targets with their deviations.
     pub targets: Vec<Target>,
+}
+
+/// Whether rising angles (rad) go round a whole turn: from the last to the first, a turn on, is no further than from one to the
+/// next.
+pub fn goes_around(angles: &[f64]) -> bool {
+    let widest = angles.windows(2).map(|two| two[1] - two[0]).fold(0.0, f64::max);
+    let left = angles.first().zip(angles.last()).map_or(f64::INFINITY, |(first, last)| first + TAU - last);
+    (-SAME..=widest * (1.0 + 1e-6)).contains(&left)
 }
 
 impl Side {
@@ -127,6 +135,21 @@ impl Evaluation {
         let inside = self.within(from, to).targets;
         let mut targets: Vec<Target> = self.between(from).into_iter().chain(inside).collect();
         targets.extend(self.between(to));
+        Self { targets }
+    }
+
+    /// The same with the targets of the first `angle` (rad) once more a turn on, where the last stands no further before the first
+    /// than targets stand apart: the way around is closed there.
+    #[must_use]
+    pub fn around(&self, angle: f64) -> Self {
+        let (first, _) = self.ends();
+        let mut targets = self.targets.clone();
+        if goes_around(&self.targets.iter().map(|t| t.position).collect::<Vec<_>>()) {
+            let last = targets.len() - 1;
+            let again = self.targets.iter().take(last).filter(|t| t.position <= first + angle + SAME);
+            let on = again.map(|t| Target { position: t.position + TAU, ..*t });
+            targets.extend(on.filter(|t| t.position > self.targets[last].position + SAME));
+        }
         Self { targets }
     }
 

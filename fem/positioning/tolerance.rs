@@ -67,10 +67,13 @@ impl Tolerance {
     /// the whole width of each band. What is wider apart than a `length` counts as on a straight line: the
     /// widest such stretch begins or ends at a target.
     pub fn checks(&self, evaluation: &Evaluation) -> Vec<Check> {
-        let (first, last) = evaluation.ends();
-        let places = evaluation.targets.iter().map(|t| t.position);
+        // A turn has no end at which a stretch would.
+        let around = self.measures.is_rotary().then(|| evaluation.around(self.length));
+        let course = around.as_ref().unwrap_or(evaluation);
+        let (first, last) = course.ends();
+        let places = course.targets.iter().map(|t| t.position);
         let stretches = places.flat_map(|at| [(at, (at + self.length).min(last)), ((at - self.length).max(first), at)]);
-        let widest = stretches.filter_map(|(from, to)| evaluation.stretch(from, to).accuracy()).reduce(f64::max);
+        let widest = stretches.filter_map(|(from, to)| course.stretch(from, to).accuracy()).reduce(f64::max);
         let [on, over] = if self.measures.is_rotary() { ["per_angle", "range"] } else { ["per_length", "travel"] };
         let unit = self.measures.position_unit();
         let length = (self.measures.position.from_si(self.length) * 1e6).round() / 1e6;
@@ -99,5 +102,29 @@ mod tests {
         let checks = Tolerance::default().checks(&Evaluation::of(&approaches, &deviations));
         assert!((checks[0].value.unwrap() - 28.5e-6).abs() < 1e-12, "{checks:?}");
         assert!(!checks[0].passed());
+    }
+
+    /// Two neighbours of twelve that stand 20 arcsec apart do so wherever on the turn they are, whether the turn is measured up
+    /// to its end or not.
+    #[test]
+    fn a_stretch_goes_on_where_a_turn_ends() {
+        let arcsec = std::f64::consts::PI / 180.0 / 3600.0;
+        for (targets, high) in [(12, 4), (12, 11), (13, 11)] {
+            let places = (0..targets).flat_map(|i| Direction::BOTH.map(|d| (i, d)));
+            let (mut approaches, mut deviations) = (Vec::new(), Vec::new());
+            for (i, direction) in places {
+                for run in [1.0, 2.0] {
+                    approaches.push(Approach { position: f64::from(i) * std::f64::consts::PI / 6.0, direction, run });
+                    let off = [(high, 10.0), ((high + 1) % 12, -10.0)]
+                        .iter()
+                        .find(|own| own.0 == i % 12)
+                        .map_or(0.0, |own| own.1);
+                    deviations.push(off * arcsec);
+                }
+            }
+            let tolerance = Tolerance::of_rotary_axes();
+            let found = tolerance.checks(&Evaluation::of(&approaches, &deviations))[0].value.unwrap();
+            assert!((found / arcsec - 20.0).abs() < 1e-6, "{targets} {high}: {}", found / arcsec);
+        }
     }
 }

@@ -18,6 +18,8 @@ pub struct Observable {
     /// Whether a sensor shows it as it is, so that the curve of its characteristic runs over it; what differs from a set
     /// value stands anywhere on the sensor's scale.
     pub is_sensed: bool,
+    /// Whether an instrument traces it point by point.
+    pub is_traced: bool,
 }
 
 impl Observable {
@@ -29,13 +31,20 @@ impl Observable {
     /// The same with the difference from the prediction, SI, beyond which readings as a whole are in another unit or of
     /// another part.
     pub const fn within(name: &'static str, words: &'static str, kind: Kind, largest: f64) -> Self {
-        Self { name: Name::new(name), words: Name::new(words), kind, largest, is_sensed: false }
+        Self { name: Name::new(name), words: Name::new(words), kind, largest, is_sensed: false, is_traced: false }
     }
 
     /// The same, which a sensor shows as it is.
     #[must_use]
     pub const fn sensed(mut self) -> Self {
         self.is_sensed = true;
+        self
+    }
+
+    /// The same, which an instrument traces point by point: nobody types it, and what stands out is a spike.
+    #[must_use]
+    pub const fn traced(mut self) -> Self {
+        self.is_traced = true;
         self
     }
 

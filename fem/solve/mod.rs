@@ -1,9 +1,10 @@
 //! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks
-//! both, a beam pressed on supports, heat in a rod from a tool that travels (`heat`) and from sources that
+//! both, plane structures of beams and springs, a beam pressed on supports, heat in a rod from a tool that travels (`heat`) and from sources that
 //! are switched (`rod`); plane bodies: the sparse system, displacement, rings in jaws, temperature.
 
 mod bar;
 pub mod beam;
+mod cholesky;
 pub mod conduction;
 pub mod elastic;
 mod equilibrium;
@@ -14,6 +15,7 @@ pub mod ring;
 pub mod rod;
 mod shaft;
 pub mod sparse;
+pub mod structure;
 
 pub use bar::Bar;
 pub use equilibrium::{Equilibrium, JointsError, solve_joints};

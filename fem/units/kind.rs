@@ -144,7 +144,7 @@ impl Kind {
     #[doc(hidden)]
     pub fn unit_of(&self, text: &str) -> Result<Unit, UnitError> {
         // Shops write the speed of a spindle as 1/min and mean revolutions.
-        let turns = *self == SPINDLE_SPEED && matches!(text.trim(), "1/min" | "/min" | "min^-1");
+        let turns = *self == SPINDLE_SPEED && matches!(text.trim(), "1/min" | "/min" | "min^-1" | "min⁻¹" | "min-1");
         let canonical = self.canonical();
         // Two strokes are an inch or a second of arc, by what is measured.
         let strokes = matches!(text.trim(), "\"" | "''");

@@ -26,7 +26,7 @@ const UNITS: &[Named] = &[
     Named("bar", 1e5, [-1, 1, -2, 0, 0], &["u", "m"]),
     Named("min", 60.0, [0, 0, 1, 0, 0], &[]),
     Named("h", 3600.0, [0, 0, 1, 0, 0], &[]),
-    Named("deg", PI / 180.0, [0, 0, 0, 0, 1], &[]),
+    Named("deg", PI / 180.0, [0, 0, 0, 0, 1], &["m"]),
     Named("°", PI / 180.0, [0, 0, 0, 0, 1], &[]),
     Named("gon", PI / 200.0, [0, 0, 0, 0, 1], &["m"]),
     Named("arcmin", PI / 10_800.0, [0, 0, 0, 0, 1], &[]),
@@ -74,7 +74,7 @@ pub(super) fn unit(text: &str) -> Result<Unit, UnitError> {
     if text.is_empty() {
         return Ok(Unit { factor: 1.0, offset: 0.0, dimension: Dimension::NONE });
     }
-    if matches!(text, "degC" | "°C" | "℃") {
+    if matches!(text, "degC" | "°C" | "℃" | "ºC" | "˚C" | "deg C" | "° C") {
         let dimension = Dimension::base([0, 0, 0, 1, 0]);
         return Ok(Unit { factor: 1.0, offset: CELSIUS_ZERO, dimension });
     }

@@ -48,7 +48,7 @@ fn targets_on_one_part_of_the_turn_are_warned_of() {
     let place = Place::new();
     place.write("axis.toml", model("axis.toml").replace("\"staggered\"", "\"even\""));
     let answer = place.fem(&["run", "axis.toml"]);
-    assert!(answer.err.contains("all targets are multiples of the lead"), "{}", answer.err);
+    assert!(answer.err.contains("all targets stand apart by multiples of the lead"), "{}", answer.err);
     // There a turn's error cannot be told from a shift, and the plan says what to measure.
     place.write("axis.toml", place.read("axis.toml").split("[effects").next().unwrap());
     let plan = place.fem(&["plan", "axis.toml", "--noise", "0.5 um", "--json"]).out;

@@ -30,6 +30,13 @@ const ASKED: &[(&str, &str, &[&str])] = &[
     // The third of January, or the first of March.
     ("thermal", "time,x [m],temperature [degC]\n01/03/2026 10:00,0,1\n", &[]),
     ("axis", "10;+;1.5\n20;+;2.5\n", &[]),
+    // Thousands, or a few newtons and a fraction.
+    ("stiffness", "force [N];displacement [um]\n800;40\n1.000;52\n1.200;66\n1.400;79\n", &[]),
+    // A deviation that counts the other way round.
+    ("axis", "position [mm],direction,-deviation [um]\n0,+,1\n50,+,2\n", &[]),
+    // A pound is a force or a mass, and other numbers stand behind another unit.
+    ("stiffness", "force [lb],displacement [um]\n1,2\n2,3\n", &[]),
+    ("stiffness", "force [N],displacement [furlong]\n1,2\n2,3\n", &[]),
     ("contour", "angle [Gdeg],deviation [um]\n0,1\n10,2\n", &[]),
     ("contour", "angle [rad],deviation [um]\n0,1\n10000000,2\n", &[]),
     ("turning", "x [mm],diameter_error [um]\n20,vor\n40,vor\n60,vor\n80,1\n", &[]),
@@ -52,6 +59,84 @@ fn what_cannot_be_told_is_asked() {
     }
     assert_eq!(place.files(), ["data.csv"]);
     insta::assert_snapshot!("asked", page);
+}
+
+/// Forms of shops that are read without a question: (process, the file, what the program's own form begins with).
+const READ: &[(&str, &str, &str)] = &[
+    // Whatever a column is called, words of a label are that label.
+    (
+        "stiffness",
+        "F [N];s [um];Verlauf\n0;0;Belastung\n500;5;Belastung\n250;3;Entlastung\n",
+        "force [N],displacement [um],branch\n0,0,load\n500,5,load\n250,3,unload\n",
+    ),
+    (
+        "axis",
+        "Position;Weg;Abweichung\nmm;;µm\n0;positiv;1\n50;positiv;2\n50;negativ;-1\n",
+        "position [mm],direction,deviation [um]\n0,+,1\n50,+,2\n50,-,-1\n",
+    ),
+    // Units of shops over there, and lines below that sum up.
+    (
+        "turning",
+        "Location (in),Part #,Dia. error (mil)\n1,1,0.5\n2,1,0.6\n1,2,0.7\n2,2,0.4\nMean,,0.55\nStd. Dev.,,0.1\n",
+        "x [in],part,diameter_error [in/1000]\n1,1,0.5\n2,1,0.6\n1,2,0.7\n2,2,0.4\n",
+    ),
+    ("ring", "Nr;RONt [um]\n1;2,5\n2;2,7\n3;2,6\n4;2,4\n5;2,8\n;2,6\n;0,2\n", "RONt [um]\n2.5\n2.7\n2.6\n2.4\n2.8\n"),
+    // Loggers write the date beside the time; a remark is no zone of it.
+    (
+        "thermal",
+        "Datum;Zeit;x [mm];temperature [degC];Urteil\n01.03.2026;23:59:00;10;20;\u{5408}\n02.03.2026;00:01:00;10;21;+\u{5408}\n",
+        "time [s],x [mm],temperature [degC]\n0,10,20\n120,10,21\n",
+    ),
+    (
+        "rotary",
+        "angle [deg],direction,actual_angle [deg]\n0,+,359.999\n90,+,90.001\n",
+        "angle [deg],direction,deviation [deg]\n0,+,-0.001\n90,+,0.001\n",
+    ),
+    (
+        "thermal",
+        "time,x [mm],temperature [degC]\n23:30:00,10,20\n24:30:00,10,21\n",
+        "time [s],x [mm],temperature [degC]\n0,10,20\n3600,10,21\n",
+    ),
+];
+
+#[test]
+fn forms_of_shops_are_read() {
+    let place = Place::new();
+    for (process, text, own) in READ {
+        place.write("data.csv", text);
+        let columns: &[&str] = match *process {
+            "stiffness" => &["--columns", "F=force,s=displacement"],
+            "turning" => &["--columns", "Dia. error=diameter_error"],
+            _ => &[],
+        };
+        let answer = place
+            .fem(&[&["import", "data.csv", "--process", process, "-o", "own.csv", "--force"][..], columns].concat());
+        assert_eq!(answer.status, 0, "{text}: {}", answer.err);
+        assert!(place.read("own.csv").contains(own), "{text}{}{}", answer.out, place.read("own.csv"));
+    }
+}
+
+/// A part that was measured in inches among others in millimetres is no shift of its zero.
+#[test]
+fn a_part_in_other_units_is_asked_about() {
+    let place = Place::new();
+    place.write("shaft.toml", model("lathe.toml"));
+    let diameter = |part: u32| if part == 2 { 50.0 / 25.4 } else { 50.0 };
+    let rows = (1..4).flat_map(|part| [200, 300, 400].map(|x| format!("{x},{part},{:.4}\n", diameter(part))));
+    place.write("m.csv", format!("x [mm],part,diameter [mm]\n{}", rows.collect::<String>()));
+    let answer = place.fem(&["compare", "shaft.toml", "--with", "m.csv"]);
+    assert!(answer.status == 2 && answer.err.contains("as if they are in inches"), "{}", answer.err);
+}
+
+/// Where an axis stands is no deviation of it.
+#[test]
+fn actual_values_that_are_taken_for_differences_are_asked_about() {
+    let place = Place::new();
+    place.write("axis.toml", model("axis.toml"));
+    let rows = [0, 100, 200].map(|at| format!("{at},+,{at}.004\n{at},-,{at}.012\n"));
+    place.write("m.csv", format!("position [mm],direction,deviation [mm]\n{}", rows.concat()));
+    let answer = place.fem(&["compare", "axis.toml", "--with", "m.csv"]);
+    assert!(answer.status == 2 && answer.err.contains("they are actual values"), "{}", answer.err);
 }
 
 /// A file as it is read, before anything is done with it: understood, half understood and not at all.

@@ -57,7 +57,7 @@ fn targets_on_one_part_of_the_worm_are_warned_of() {
     let even = even.replace("positions = 12", "positions = 8").replace("\"-110 deg\"", "\"-90 deg\"");
     place.write("rotary.toml", even);
     let answer = place.fem(&["run", "rotary.toml"]);
-    assert!(answer.err.contains("all targets are multiples of a turn of the worm"), "{}", answer.err);
+    assert!(answer.err.contains("all targets stand apart by multiples of a turn of the worm"), "{}", answer.err);
     // There its error cannot be told from a shift, and the plan says what to measure.
     place.write("rotary.toml", place.read("rotary.toml").split("[effects").next().unwrap());
     let plan = place.fem(&["plan", "rotary.toml", "--noise", "0.5 arcsec", "--json"]).out;

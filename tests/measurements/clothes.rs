@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::io::Write;
 
 use fem::input::Source;
-use fem::measure::{Measurements, Reading};
+use fem::measure::{Decimal, Measurements, Reading};
 use fem::process::Process;
 use fem::processes;
 use generator::BY_NAME;
@@ -270,6 +270,24 @@ fn dressed(table: &Table, seed: u64) -> Dressed {
         must_ask: in_own_words || is_unnamed,
         answer,
     }
+}
+
+/// Numbers of a workbook are numbers, whatever is said of its texts.
+#[test]
+fn a_decimal_comma_is_one_of_texts() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("data.xlsx");
+    let process = *processes::ALL.iter().find(|own| own.name() == "stiffness").unwrap();
+    let rows = [["force [N]", "displacement [um]"], ["100,0", "4.253"], ["200,125", "8.5"], ["400,0", "17"]];
+    std::fs::write(&path, workbook(&rows.map(|row| row.map(String::from).to_vec()))).unwrap();
+    let comma = Reading::new(&[], Some(Decimal::Comma)).unwrap();
+    let found = Measurements::load_as(&path, process, &comma).unwrap();
+    let shown: Vec<i64> = found.observed.iter().map(|si| (si * 1e9).round() as i64).collect();
+    assert_eq!(shown, [4253, 8500, 17_000]);
+    assert_eq!(found.rows.columns[0].to_vec(), [100.0, 200.125, 400.0]);
+    // Of these texts one may be two hundred thousand.
+    let error = Measurements::load_as(&path, process, &Reading::default()).unwrap_err().to_string();
+    assert!(error.contains("--decimal"), "{error}");
 }
 
 /// The least workbook by ECMA-376 that holds these cells, behind a sheet that tells who made it.

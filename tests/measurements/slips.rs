@@ -93,3 +93,58 @@ fn causes_are_those_of_the_data_without_the_slip() {
         assert_eq!(causes(mistyped(69, slip).1), right, "{what}");
     }
 }
+
+/// The process of a name, and data of it in which nothing is hidden.
+fn made(name: &str, seed: u64) -> (&'static dyn fem::process::Process, String) {
+    let process = *fem::processes::ALL.iter().find(|own| own.name() == name).unwrap();
+    let generator = generator::BY_NAME.iter().find(|own| own.0 == name).unwrap().1;
+    (process, generator.nothing(seed).data)
+}
+
+/// A slip takes no reading of another run with it.
+#[test]
+fn nothing_is_left_out_beside_a_slip() {
+    let mut told = 0;
+    for name in ["axis", "rotary", "turning"] {
+        for seed in 0..6 {
+            let (process, data) = made(name, seed);
+            let lines: Vec<&str> = data.lines().collect();
+            let header = lines.iter().position(|line| line.contains("deviation") || line.contains("diameter")).unwrap();
+            let column =
+                lines[header].split(',').position(|own| own.contains("deviation") || own.contains("diameter")).unwrap();
+            for line in (header + 4..lines.len()).step_by(17) {
+                let mut cells: Vec<String> = lines[line].split(',').map(str::to_string).collect();
+                cells[column] = shifted(&cells[column], 10.0);
+                let cells = cells.join(",");
+                let mut typed = lines.clone();
+                typed[line] = &cells;
+                let found = Measurements::parse(Source::new("m.csv", typed.join("\n")), process).unwrap();
+                let notes: Vec<&String> = found.notes.iter().filter(|note| note.contains("left out: `")).collect();
+                let own = format!("line {} is left out", line + 1);
+                assert!(notes.iter().all(|note| note.starts_with(&own)), "{name} {seed}: {notes:?}");
+                told += notes.len();
+            }
+        }
+    }
+    // Small readings stay small ten times as large.
+    assert!(told > 20, "{told}");
+}
+
+/// What is recorded beside readings, to a tenth, makes no slips of them; nor does what an instrument traces.
+#[test]
+fn readings_that_are_right_stay() {
+    for name in ["thermal", "contour", "cam", "axis"] {
+        for seed in 0..8 {
+            let (process, data) = made(name, seed);
+            let recorded = |(i, line): (usize, &str)| match i {
+                0 => format!("{line},coolant [degC]"),
+                _ => format!("{line},{:.1}", 20.0 + 0.1 * (i * 7 % 5) as f64),
+            };
+            let thinned = data.lines().filter(|line| !line.starts_with('#')).enumerate();
+            let thinned = thinned.filter(|(i, _)| name != "contour" || *i == 0 || i % 6 == 3);
+            let text: Vec<String> = thinned.map(|(_, line)| line).enumerate().map(recorded).collect();
+            let found = Measurements::parse(Source::new("m.csv", text.join("\n")), process).unwrap();
+            assert!(!found.notes.iter().any(|note| note.contains("left out: `")), "{name} {seed}: {:?}", found.notes);
+        }
+    }
+}

@@ -38,7 +38,7 @@ pub fn residuals(measurements: &Measurements, comparison: &Comparison) -> String
 }
 
 fn unit(seen: &MeasuredObservable) -> Unit {
-    Unit::parse(&seen.unit).unwrap_or(seen.kind.canonical())
+    seen.kind.unit_of(&seen.unit).or_else(|_| Unit::parse(&seen.unit)).unwrap_or(seen.kind.canonical())
 }
 
 /// Names the two columns of an observable. A residual has no zero point: that of a temperature in degC is in

@@ -9,7 +9,7 @@ use crate::units::{ANGLE, MICRO, SPINDLE_SPEED};
 const FAR_OFF: f64 = 5e-3;
 
 /// The deviation along the normal of the profile, positive outwards.
-pub const OBSERVABLES: &[Observable] = &[Observable::within("deviation", "the cam", MICRO, FAR_OFF)];
+pub const OBSERVABLES: &[Observable] = &[Observable::within("deviation", "the cam", MICRO, FAR_OFF).traced()];
 
 /// Positions in [`COORDINATES`]: the polar angle of the point.
 pub const ANGLE_OF_ROW: usize = 0;

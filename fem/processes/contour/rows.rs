@@ -13,7 +13,7 @@ use crate::units::{ANGLE, FEED_RATE, LENGTH, MICRO};
 const FAR_OFF: f64 = 5e-3;
 
 /// The deviation of the tool from its path, positive outwards.
-pub const OBSERVABLES: &[Observable] = &[Observable::within("deviation", "the contour", MICRO, FAR_OFF)];
+pub const OBSERVABLES: &[Observable] = &[Observable::within("deviation", "the contour", MICRO, FAR_OFF).traced()];
 
 /// What a drawing allows it.
 pub const ALLOWED: AllowedWords =

@@ -3,7 +3,7 @@
 use super::circle::evenly;
 use super::machine::{BorePoint, Machine};
 use super::response::{Proportions, Response};
-use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, JAW_FORCE, ORIENTATION, SPEED, STATE};
+use super::rows::{self, ANGLE_OF_ROW, CLAMPED, JAW_FORCE, ORIENTATION, SPEED, STATE};
 use super::setup::Body;
 use crate::process::{Failure, Forward, Rows};
 
@@ -49,7 +49,8 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
             return unit * force;
         }
         let speed = value(SPEED).unwrap_or(setup.speed());
-        let (orientation, blank) = (value(ORIENTATION).unwrap_or(0.0), value(BLANK).unwrap_or(0.0));
+        let orientation = value(ORIENTATION).unwrap_or(0.0);
+        let blank = rows::blank(setup, rows, row);
         machine.deviation(&BorePoint { angle, orientation, blank }, unit * machine.force_at(force, speed))
     };
     Ok((0..rows.len()).map(one).collect())

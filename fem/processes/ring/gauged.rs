@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::circle::{evenly, form};
 use super::instrument::Instrument;
-use super::rows::{ANGLE_OF_ROW, DEVIATION, DIAMETER};
+use super::rows::{ANGLE_OF_ROW, BLANK, DEVIATION, DIAMETER};
 use super::setup::Setup;
 use crate::process::{Gauged, Rows, Values, spread};
 use crate::roundness::{PER_WAVE, Places, gauss};
@@ -34,6 +34,10 @@ pub fn gauged(setup: &Setup, rows: &Rows) -> Option<Gauged> {
     }
     let mut profile = rows.some(&of_row);
     profile.columns[ANGLE_OF_ROW] = angles.clone().into();
+    if !setup.blank.is_empty() {
+        // What a row says of the blank is said of its own place.
+        profile.columns[BLANK] = Values::shared(f64::NAN, of_row.len());
+    }
     profile.observable = Values::shared(DEVIATION, of_row.len());
     let read = move |values: &[f64]| {
         let one = |(observable, span): &(usize, Range<usize>)| match *observable {
@@ -47,8 +51,19 @@ pub fn gauged(setup: &Setup, rows: &Rows) -> Option<Gauged> {
 
 /// RONt of a trace at evenly spaced angles (rad): largest less smallest from the least-squares circle, behind the filter.
 fn peak_to_valley(angles: &[f64], trace: &[f64], filter: Option<usize>) -> f64 {
+    spread(&traced(angles, trace, filter))
+}
+
+/// Deviations (m) from the least-squares circle of a trace at evenly spaced angles (rad), behind the filter.
+pub fn traced(angles: &[f64], trace: &[f64], filter: Option<usize>) -> Vec<f64> {
     let filtered = filter.map_or_else(|| trace.to_vec(), |cutoff| smoothed(trace, cutoff));
-    spread(&form(angles, &filtered))
+    form(angles, &filtered)
+}
+
+/// Evenly spaced angles (rad) of a trace that shows all that a filter lets through.
+pub fn trace(filter: Option<usize>) -> Vec<f64> {
+    let points = PER_WAVE * filter.unwrap_or(1);
+    evenly(points * POINTS.div_ceil(points))
 }
 
 /// A closed trace at evenly spaced places, `PER_WAVE` or a multiple of it to a wave, behind the Gauss filter.
@@ -67,9 +82,6 @@ fn places(instrument: Instrument, observable: usize) -> Places {
         (DEVIATION, Some(cutoff)) => gauss(cutoff),
         (DEVIATION, None) => vec![(0.0, 1.0)],
         (DIAMETER, _) => instrument.gauge.contacts().places(),
-        (_, filter) => {
-            let points = PER_WAVE * filter.unwrap_or(1);
-            evenly(points * POINTS.div_ceil(points)).into_iter().map(|at| (at, 1.0)).collect()
-        }
+        (_, filter) => trace(filter).into_iter().map(|at| (at, 1.0)).collect(),
     }
 }

@@ -52,7 +52,7 @@ pub const COORDINATES: &[Coordinate] = &[
     ),
     Coordinate::new("jaw_force", "force of each jaw", Holds::Quantity(FORCE), Absent::Model),
     Coordinate::new("spindle_speed", "spindle speed while boring", Holds::Quantity(SPINDLE_SPEED), Absent::Model),
-    Coordinate::new("blank", "radial deviation before boring", Holds::Quantity(MICRO), Absent::Value(0.0)),
+    Coordinate::new("blank", "radial deviation before boring", Holds::Quantity(MICRO), Absent::Model),
     Coordinate::new("run", "number of the set-up", Holds::Number(1), Absent::Value(1.0)),
     Coordinate::new("orientation", "the ring's mark from jaw 1", Holds::Quantity(ANGLE), Absent::Value(0.0)),
 ];
@@ -64,6 +64,12 @@ pub const CLAMPED: f64 = 1.0;
 pub fn misplaced(rows: &Rows) -> Vec<Misplaced> {
     let check = |row: usize| {
         let below = |column: &usize| rows.get(*column, row).is_some_and(|v| v < 0.0);
+        // A gauge has contacts all around.
+        if rows.observable[row] != DEVIATION && rows.get(BLANK, row).is_some_and(|v| v != 0.0) {
+            let message = "`blank` is that of one place, and this row is read off places all around: leave it out and write \
+                           the waves of the blank into [workpiece] blank";
+            return Some(Misplaced { row, coordinate: BLANK, message: message.into() });
+        }
         let coordinate = [JAW_FORCE, SPEED].into_iter().find(below)?;
         let message = format!("`{}` is below zero", COORDINATES[coordinate].name);
         Some(Misplaced { row, coordinate, message })
@@ -95,9 +101,18 @@ pub fn programme(setup: &Setup) -> Rows {
     released(setup, evenly(setup.points))
 }
 
-/// Rows with force and speed of the model where they have none of their own.
+/// What the bore of a row was off by before boring, m: the model's own where the row does not say.
+pub fn blank(setup: &Setup, rows: &Rows, row: usize) -> f64 {
+    rows.get(BLANK, row).unwrap_or_else(|| {
+        let of = |column| rows.get(column, row).unwrap_or(0.0);
+        setup.blank_at(of(ANGLE_OF_ROW) - of(ORIENTATION))
+    })
+}
+
+/// Rows with force, speed and blank of the model where they have none of their own.
 pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
     let mut resolved = rows.clone();
+    resolved.columns[BLANK] = (0..rows.len()).map(|row| blank(setup, rows, row)).collect();
     for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed())] {
         resolved.columns[column].fill_absent(value);
     }

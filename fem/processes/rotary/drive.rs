@@ -138,6 +138,19 @@ impl Drive {
     pub fn shortest_period(&self) -> Option<f64> {
         self.turns_of_worm().or_else(|| self.meshes()).map(|times| TAU / times)
     }
+
+    /// The angles of the table (rad) after which errors of what meets the table come back, and what they are: turns and half
+    /// turns of the worm, teeth of gears. None of a direct drive.
+    pub fn periods(&self) -> Vec<(f64, &'static str)> {
+        let worm = self.turns_of_worm().into_iter().flat_map(|turns| {
+            [
+                (turns, "a turn of the worm"),
+                (2.0 * turns, "half a turn of the worm, at which its second harmonic comes back"),
+            ]
+        });
+        let last = if self.worm.is_some() { "a tooth of the gears before the worm" } else { "a tooth of the wheel" };
+        worm.chain(self.meshes().map(|meshes| (meshes, last))).map(|(times, what)| (TAU / times, what)).collect()
+    }
 }
 
 impl Stage {
@@ -157,9 +170,14 @@ mod tests {
         let train = Drive { stages, worm: None, pitch_radius: None, stiffness: f64::INFINITY };
         assert_eq!((train.ratio(), train.meshes(), train.turns_of_pinion()), (20.0, Some(100.0), Some(5.0)));
         assert_eq!(train.shortest_period(), Some(TAU / 100.0));
+        assert_eq!(train.periods(), [(TAU / 100.0, "a tooth of the wheel")]);
         // Two starts on 180 teeth: 90 to one behind the train.
         let behind = Drive { worm: Some(Worm { teeth: 180, starts: 2 }), ..train };
         assert_eq!((behind.ratio(), behind.meshes(), behind.turns_of_pinion()), (1800.0, Some(9000.0), Some(450.0)));
         assert_eq!(behind.shortest_period(), Some(TAU / 90.0));
+        assert_eq!(
+            behind.periods().iter().map(|own| own.0).collect::<Vec<_>>(),
+            [90.0, 180.0, 9000.0].map(|n| TAU / n)
+        );
     }
 }

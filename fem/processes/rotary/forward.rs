@@ -27,6 +27,9 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Vec<f64> {
     (0..rows.len()).map(one).collect()
 }
 
+/// A torque that moves no table, N·m: what sums of torques leave by round-off is smaller.
+const NOTHING: f64 = 1e-9;
+
 /// Where the table stands behind or before the flank that drives it forwards (rad), approached at an angle (rad) under an
 /// external torque (N·m).
 pub fn stands(machine: &Machine, angle: f64, direction: Direction, external: f64) -> f64 {
@@ -34,10 +37,11 @@ pub fn stands(machine: &Machine, angle: f64, direction: Direction, external: f64
         return 0.0;
     }
     let borne = borne(machine, angle, direction, external);
-    let flank = match (borne, direction) {
-        (0.0, Direction::Forward) => -1.0,
-        (0.0, Direction::Backward) => 1.0,
-        (borne, _) => borne,
+    let flank = match direction {
+        // Torques that cancel but for round-off choose no flank.
+        Direction::Forward if borne.abs() <= NOTHING => -1.0,
+        Direction::Backward if borne.abs() <= NOTHING => 1.0,
+        _ => borne,
     };
     give_way(machine.play(angle), borne * machine.compliance, flank)
 }

@@ -3,7 +3,6 @@
 //! balance of forces is evaluated in twofold precision.
 
 mod builder;
-mod cholesky;
 mod error;
 mod joint_state;
 mod linear;

@@ -4,10 +4,10 @@ use faer::fx128;
 use nalgebra_sparse::{CooMatrix, CscMatrix};
 
 use super::builder::Frame;
-use super::cholesky::{Factor, FactorError, Pattern};
 use super::error::SolveError;
 use super::solution::{Convergence, Reaction, Solution};
 use super::support::Resistance;
+use crate::solve::cholesky::{Factor, FactorError, Pattern};
 
 /// Largest unbalanced force, relative to the loads, of a converged solution.
 pub(super) const FORCE_TOLERANCE: f64 = 1e-10;
@@ -57,7 +57,7 @@ impl<'f> System<'f> {
             unknowns[freedom] = Some(unknown);
         }
         let stiffness = assemble(frame, &unknowns, free.len());
-        let pattern = Pattern::new(&stiffness).map_err(|error| failure(error, &free))?;
+        let pattern = Pattern::banded(&stiffness).map_err(|error| failure(error, &free))?;
         Ok(Self { frame, free, unknowns, stiffness, pattern })
     }
 

@@ -19,7 +19,8 @@ pub const LINUXCNC: Control =
     Control { name: "linuxcnc", about: "LinuxCNC, COMP_FILE with COMP_FILE_TYPE = 0", turns: true, write };
 
 fn write(order: &Order) -> Result<Written, String> {
-    let table = order.both;
+    let mut notes = vec!["set COMP_FILE and COMP_FILE_TYPE = 0 of the joint; BACKLASH is not used then".into()];
+    let table = order.whole(order.both, &mut notes);
     if table.nodes.len() > MOST {
         return Err(format!("{} targets are more than the {MOST} that it takes", table.nodes.len()));
     }
@@ -30,8 +31,7 @@ fn write(order: &Order) -> Result<Written, String> {
         // Writing to a String does not fail.
         let _ = writeln!(text, "{nominal} {forward} {reverse}");
     }
-    let notes = vec!["set COMP_FILE and COMP_FILE_TYPE = 0 of the joint; BACKLASH is not used then".into()];
-    Ok(Written { files: vec![(FILE, text)], table: table.clone(), notes })
+    Ok(Written { files: vec![(FILE, text)], table, notes })
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::output::number::{fixed, trimmed};
-use crate::positioning::{Direction, Grid, Measures, Node, Steps, Table};
+use crate::positioning::{Direction, Grid, Law, Measures, Node, Steps, Table, goes_around};
 
 /// How near the points come to the entries that nobody has placed, m or rad: finer than any control's least increment.
 const NEAR: f64 = 5e-8;
@@ -106,6 +106,7 @@ impl Order<'_> {
         few: usize,
         notes: &mut Vec<String>,
     ) -> Result<(Grid, Table), String> {
+        let table = &self.whole(table, notes);
         let grid = match (self.steps, Grid::of(table)) {
             (Some(steps), _) => self.grid_from_reference(table, steps, most)?,
             (None, Some(grid)) if grid.points <= most => grid,
@@ -126,6 +127,28 @@ impl Order<'_> {
             ));
         }
         Ok((grid, taken))
+    }
+
+    /// The table of a rotary axis whose targets go round a whole turn but for its end, with its first entry there once more.
+    pub fn whole(&self, table: &Table, notes: &mut Vec<String>) -> Table {
+        let mut table = table.clone();
+        let places: Vec<f64> = table.nodes.iter().map(|n| n.position).collect();
+        if let (true, Some(first), Some(last)) =
+            (self.measures.is_rotary(), table.nodes.first().copied(), places.last())
+            && goes_around(&places)
+            && first.position + TAU - last > NEAR
+            && table.law == Law::Points
+        {
+            let position = first.position + TAU;
+            table.nodes.push(Node { position, ..first });
+            let [from, at] = [*last, position].map(|si| self.in_units(si));
+            notes.push(format!(
+                "the targets end at {from} {unit}: at {at} {unit}, the place of the first, its entry stands once more, and the table \
+                 goes round",
+                unit = self.unit()
+            ));
+        }
+        table
     }
 
     /// Grid through the reference point with the interval that the model gives, `most` points at most.

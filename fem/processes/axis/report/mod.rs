@@ -81,10 +81,14 @@ fn screw(setup: &Setup) -> Figure {
 }
 
 fn warnings(setup: &Setup) -> Vec<String> {
-    let is_multiple = |x: &f64| (x / setup.lead - (x / setup.lead).round()).abs() < 1e-6;
-    let warning = "all targets are multiples of the lead: errors that repeat with each turn cannot be seen; \
-                   spacing = \"staggered\" in [test] moves them";
     let targets = setup.targets();
+    // What comes back at every target is taken for a shift of them all, wherever the first stands.
+    let is_multiple = |x: &f64| {
+        let turns = (x - targets[0]) / setup.lead;
+        (turns - turns.round()).abs() < 1e-6
+    };
+    let warning = "all targets stand apart by multiples of the lead: errors that repeat with each turn cannot be seen; \
+                   spacing = \"staggered\" in [test] moves them";
     // A single target is no test of a screw.
     if targets.len() > 1 && targets.iter().all(is_multiple) { vec![warning.into()] } else { Vec::new() }
 }

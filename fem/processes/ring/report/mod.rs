@@ -6,11 +6,12 @@ mod sketch;
 use std::f64::consts::TAU;
 
 use super::circle;
-use super::forward;
+use super::forward::{self, absolute};
+use super::gauged;
 use super::instrument::Gauge;
 use super::machine::Machine;
 use super::response::MeshSize;
-use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVABLES, RUN, SPEED, STATE};
+use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVABLES, RUN, SPEED, STATE, released};
 use super::setup::{Body, Reference, Setup};
 use crate::process::{Curve, Datum, Drawing, Failure, Figure, Forward, Plot, RunReport, Spot, Table, extremes, spread};
 use crate::units::{ANGLE, FORCE, LENGTH, MICRO, SPINDLE_SPEED, STRESS};
@@ -32,12 +33,14 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     let angles = &rows.columns[ANGLE_OF_ROW].to_vec();
     let scene = shapes::Scene::new(machine, forward)?;
     let form = circle::form(angles, deviations);
+    let around = gauged::trace(setup.instrument.filter);
+    let trace = absolute(machine, forward, &released(setup, around.clone()))?;
     let mut figures = extremes("deviation", &OBSERVABLES[0], (COORDINATES, &[ANGLE_OF_ROW]), rows, deviations);
     figures.extend([
         size(setup.reference, angles, deviations),
-        roundness(&form),
+        roundness(&gauged::traced(&around, &trace, setup.instrument.filter)),
         harmonics(angles, &form),
-        gauges(angles, deviations),
+        gauges(&trace),
         clamping(machine, forward)?,
         force(machine),
         stress(&scene),
@@ -119,19 +122,14 @@ fn roundness(form: &[f64]) -> Figure {
 }
 
 /// How much bore gauges show of the form, turned around in it: two contacts see no odd number of waves, three a third
-/// apart none but multiples of three.
-fn gauges(angles: &[f64], deviations: &[f64]) -> Figure {
-    let count = deviations.len();
+/// apart none but multiples of three. The trace has no filter, and a multiple of six points.
+fn gauges(trace: &[f64]) -> Figure {
+    let count = trace.len();
     let differ = |gauge: Gauge| {
         let places = gauge.contacts().places();
-        // On straight lines between the evenly spaced points.
-        let on = |at: f64| {
-            let place = at.rem_euclid(TAU) / TAU * count as f64;
-            let [before, after] = [place as usize % count, (place as usize + 1) % count];
-            deviations[before] + (deviations[after] - deviations[before]) * place.fract()
-        };
-        let shown = (0..count).map(|i| places.iter().map(|(beside, weight)| weight * on(angles[i] + beside)).sum());
-        spread(&shown.collect::<Vec<f64>>())
+        let beside = |i: usize, at: f64| (i + (at.rem_euclid(TAU) / TAU * count as f64).round() as usize) % count;
+        let one = |i: usize| places.iter().map(|(at, weight)| weight * trace[beside(i, *at)]).sum();
+        spread(&(0..count).map(one).collect::<Vec<f64>>())
     };
     let [two, three] = [Gauge::TwoPoint, Gauge::ThreePoint].map(differ);
     let [shown_two, shown_three] = [two, three].map(|d| MICRO.shown(d));

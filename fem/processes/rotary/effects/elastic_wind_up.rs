@@ -3,7 +3,7 @@
 //! The table stays behind by T/k either way: deviation ∓ T·(1/stiffness + 1/k_drive), T the torque of friction (N·m) in the
 //! table's bearing, its seals and its clamp, k_drive the torsional stiffness of [drive] (N·m/rad), and stiffness that of
 //! what yields beside it, as the mesh or a coupling; it is left out where [drive] tells all of it [Hooke's law, as seed 000,
-//! fig. 2b, with angles]. Torques come to friction or are taken off it before play is crossed (`forward`). Left out:
+//! fig. 2b, with angles]. What yields there yields under every torque, also that of a test. Torques come to friction or are taken off it before play is crossed (`forward`). Left out:
 //! friction that depends on the angle, the load or the speed, and stick-slip.
 
 use super::super::machine::Effect;
@@ -18,7 +18,7 @@ const SPRING: (f64, f64) = (0.002, 50.0);
 pub static ELASTIC_WIND_UP: Effect<2> = Effect {
     name: "elastic-wind-up",
     about: "friction winds up worm, gears and couplings before the table moves",
-    law: "deviation += sign*friction*(1/stiffness + 1/drive.stiffness), sign -1 in +, +1 in -",
+    law: "deviation += sign*friction*(1/stiffness + 1/drive.stiffness) + torque/stiffness, sign -1 in +, +1 in -",
     source: "Hooke's law; seed 000, fig. 2b, with angles",
     belongs: Belongs::Test,
     odds: Odds::of(0.3, "every drive winds up, that of a table on rolling bearings by little"),

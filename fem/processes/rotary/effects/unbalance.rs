@@ -1,6 +1,7 @@
 //! What an axis that lies carries is out of balance.
 //!
-//! T(θ) = M·cos(θ + phase), M = m·g·a (N·m) of a mass whose centre is a beside an axis across gravity [statics]. It is a
+//! T(θ) = M·cos(θ + phase), M = m·g·a (N·m) of a mass whose centre is a beside an axis across gravity [statics]: at the angle 0
+//! it stands `phase` past the side on which its weight turns the table towards +, which is level with the axis. It is a
 //! torque like any other: the drive gives way by T/k, and where it is larger than friction it carries the table from flank
 //! to flank as it turns over (`forward`). Positive torques turn towards +. An axis along gravity has none. Left out: an axis
 //! that is inclined, of which M is the part across gravity, and the bend of what is carried.

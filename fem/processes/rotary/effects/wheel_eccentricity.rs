@@ -3,7 +3,8 @@
 //! (e/r)·sin(θ + phase): a wheel whose pitch circle of radius r (m) is mounted by e (m) off the axis meets the worm, or the
 //! last pinion, at a lever arm that goes by e·cos, and the table runs ahead and behind once a turn by e/r [geometry of an
 //! eccentric circle; first order in e/r]. To one reading it is exactly a scale that runs out (`scale-eccentricity`). Left
-//! out: the play that comes and goes with it (`uneven-backlash`).
+//! out: the pressure angle α of the teeth, by which one flank has e/(r·cos α)·sin(θ + phase ∓ α), 6 % more at 20 deg; and the
+//! play that comes and goes with it (`uneven-backlash`).
 
 use super::super::machine::Effect;
 use super::super::setup::Setup;

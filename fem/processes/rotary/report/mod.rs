@@ -95,17 +95,20 @@ fn drive(machine: &Machine) -> Figure {
 
 fn warnings(setup: &Setup) -> Vec<String> {
     let line = setup.scale.and_then(|scale| scale.lines_a_turn(&setup.drive)).map(|lines| TAU / lines);
-    let gearing = (!setup.is_closed()).then(|| setup.drive.shortest_period()).flatten();
+    let gearing = if setup.is_closed() { Vec::new() } else { setup.drive.periods() };
     let targets = setup.targets();
-    let all_on = |period: f64| targets.iter().all(|x| (x / period - (x / period).round()).abs() < 1e-6);
-    let seen = |period: Option<f64>, what: &str| {
-        period.filter(|period| all_on(*period)).map(|_| {
-            format!(
-                "all targets are multiples of {what}: errors that repeat with it cannot be seen; spacing = \"staggered\" \
-                 in [test] moves them, or other numbers of positions"
-            )
-        })
+    // What comes back at every target is taken for a shift of them all, wherever the first stands.
+    let all_on = |period: f64| {
+        targets.len() > 1 && targets.iter().map(|x| (x - targets[0]) / period).all(|n| (n - n.round()).abs() < 1e-6)
     };
-    let of_gearing = if setup.drive.worm.is_some() { "a turn of the worm" } else { "a tooth of the wheel" };
-    seen(gearing, of_gearing).into_iter().chain(seen(line, "a line of the scale")).collect()
+    // What comes back with a longer period comes back with its parts.
+    let first = gearing.into_iter().find(|(period, _)| all_on(*period));
+    let line = line.filter(|period| all_on(*period)).map(|period| (period, "a line of the scale"));
+    let seen = |(_, what): (f64, &str)| {
+        format!(
+            "all targets stand apart by multiples of {what}: errors that repeat with it cannot be seen; spacing = \"staggered\" \
+             in [test] moves them, or other numbers of positions"
+        )
+    };
+    first.into_iter().chain(line).map(seen).collect()
 }

@@ -11,6 +11,7 @@ use super::forward;
 use super::machine::Machine;
 use super::rows::{COORDINATES, ELONGATION, OBSERVABLES, TEMPERATURE_OF_ROW, TIME_OF_ROW, X, Y};
 use super::setup::Setup;
+use super::surroundings::Surroundings;
 use crate::process::{Column, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme};
 use crate::solve::conduction::Energy;
 use crate::units::{ENERGY, HEAT, LENGTH, MICRO, SECONDS, TEMPERATURE, TEMPERATURE_RISE, TIME};
@@ -216,6 +217,13 @@ fn warnings(machine: &Machine, scene: &Scene) -> Vec<String> {
         if setup.is_out_of_balance() {
             warnings.push("nothing loses heat to the surroundings: their temperature is not felt".into());
         }
+    }
+    let is_felt = |s: &Surroundings| s.coefficient.unwrap_or(machine.convection) > 0.0;
+    if machine.is_open() && !setup.sections.iter().all(is_felt) {
+        warnings.push(
+            "an [[environment.section]] without a film has no effect: give it a coefficient, or the body its `convection`"
+                .into(),
+        );
     }
     for boundary in &setup.boundaries {
         let Condition::Moving { speed, width, .. } = boundary.condition else { continue };

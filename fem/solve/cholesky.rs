@@ -1,4 +1,4 @@
-//! Sparse Cholesky K = LLᵀ (faer), for banded matrices: natural order, no fill outside the band, one thread.
+//! Sparse Cholesky K = LLᵀ (faer) of frames: no dense blocks, one thread.
 
 use std::sync::Arc;
 
@@ -14,19 +14,19 @@ use nalgebra_sparse::CscMatrix;
 
 /// Why a matrix has no factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum FactorError {
+pub(in crate::solve) enum FactorError {
     /// Pivot of this row (from 0) is zero, negative or not a number.
     Pivot(usize),
     OutOfMemory,
 }
 
 /// The pattern of the factor, found once for all matrices of one pattern.
-pub(super) struct Pattern {
+pub(in crate::solve) struct Pattern {
     symbolic: Arc<SymbolicCholesky<usize>>,
 }
 
 /// A factored matrix.
-pub(super) struct Factor {
+pub(in crate::solve) struct Factor {
     symbolic: Arc<SymbolicCholesky<usize>>,
     values: Vec<f64>,
 }
@@ -38,16 +38,24 @@ fn pattern_view(upper: &CscMatrix<f64>) -> SymbolicSparseColMatRef<'_, usize> {
 }
 
 impl Pattern {
-    /// Analyses the pattern of the symmetric matrix whose upper triangle is `upper`.
-    pub fn new(upper: &CscMatrix<f64>) -> Result<Self, FactorError> {
+    /// Analyses the pattern of the symmetric matrix whose upper triangle is `upper`, a band: natural order, no fill outside.
+    pub fn banded(upper: &CscMatrix<f64>) -> Result<Self, FactorError> {
+        Self::ordered(upper, SymmetricOrdering::Identity)
+    }
+
+    /// The same of any pattern: approximate minimum degree.
+    pub fn scattered(upper: &CscMatrix<f64>) -> Result<Self, FactorError> {
+        Self::ordered(upper, SymmetricOrdering::Amd)
+    }
+
+    fn ordered(upper: &CscMatrix<f64>, ordering: SymmetricOrdering<'_, usize>) -> Result<Self, FactorError> {
         let params = CholeskySymbolicParams {
-            // a band is too narrow for dense blocks; the scalar path also reports the failed pivot by its row
+            // frames are too narrow for dense blocks; the scalar path also reports the failed pivot by its row
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SIMPLICIAL,
             ..Default::default()
         };
-        let symbolic =
-            factorize_symbolic_cholesky(pattern_view(upper), Side::Upper, SymmetricOrdering::Identity, params)
-                .map_err(|_| FactorError::OutOfMemory)?;
+        let symbolic = factorize_symbolic_cholesky(pattern_view(upper), Side::Upper, ordering, params)
+            .map_err(|_| FactorError::OutOfMemory)?;
         Ok(Self { symbolic: Arc::new(symbolic) })
     }
 

@@ -1,0 +1,176 @@
+//! A structure whose stiffness is factored.
+
+use nalgebra::DMatrix;
+use nalgebra_sparse::{CooMatrix, CscMatrix};
+
+use super::along::Along;
+use super::error::StructureError;
+use super::{Direction, Freedom, Structure};
+use crate::solve::cholesky::{Factor, FactorError, Pattern};
+
+/// Ratio of the softest motion's stiffness to that of its single freedoms below which nothing holds it: members a
+/// thousand times as slender as they are long still have 1e-10.
+const LOOSE: f64 = 1e-13;
+/// What is added to a stiffness without a factor, relative, to find the motion that nothing holds.
+const HELP: f64 = 1e-10;
+/// Rounds in which the softest motion is found.
+const ROUNDS: usize = 4;
+
+/// A structure whose stiffness is factored.
+pub struct Factored<'s> {
+    structure: &'s Structure,
+    /// Unknown of each freedom that is not held.
+    unknowns: Vec<Option<usize>>,
+    count: usize,
+    factor: Factor,
+}
+
+impl<'s> Factored<'s> {
+    pub(super) fn new(structure: &'s Structure) -> Result<Self, StructureError> {
+        let mut held = vec![false; 3 * structure.nodes.len()];
+        structure.held.iter().for_each(|own| held[own.number()] = true);
+        let mut count = 0;
+        let unknowns: Vec<Option<usize>> = held
+            .into_iter()
+            .map(|held| {
+                let own = (!held).then_some(count);
+                count += usize::from(!held);
+                own
+            })
+            .collect();
+        let stiffness = assembled(structure, &unknowns, count);
+        let diagonal: Vec<f64> = (0..count).map(|i| entry(&stiffness, i)).collect();
+        let loose = |motion: &[f64]| StructureError::Loose(most(structure, &unknowns, motion));
+        if let Some(nothing) = diagonal.iter().position(|own| *own <= 0.0) {
+            let mut motion = vec![0.0; count];
+            motion[nothing] = 1.0;
+            return Err(loose(&motion));
+        }
+        let memory = |_| StructureError::OutOfMemory { unknowns: count };
+        let pattern = Pattern::scattered(&stiffness).map_err(memory)?;
+        match pattern.factor(&stiffness) {
+            Ok(factor) => {
+                let (ratio, motion) = softest(&factor, &diagonal);
+                if ratio < LOOSE {
+                    return Err(loose(&motion));
+                }
+                Ok(Self { structure, unknowns, count, factor })
+            }
+            Err(FactorError::OutOfMemory) => Err(StructureError::OutOfMemory { unknowns: count }),
+            Err(FactorError::Pivot(_)) => {
+                let mut helped = stiffness;
+                for (i, own) in diagonal.iter().enumerate() {
+                    let at = place(&helped, i);
+                    helped.values_mut()[at] += HELP * own;
+                }
+                let factor = pattern.factor(&helped).map_err(memory)?;
+                Err(loose(&softest(&factor, &diagonal).1))
+            }
+        }
+    }
+
+    /// Displacements of all freedoms under a unit load on one: u, v, θ of node i at 3i, 3i + 1, 3i + 2.
+    pub fn under(&self, load: Freedom) -> Vec<f64> {
+        let mut right = vec![0.0; self.count];
+        if let Some(unknown) = self.unknowns[load.number()] {
+            right[unknown] = 1.0;
+        }
+        // What was factored is solved: the scratch is a vector, and memory for that there is.
+        if self.factor.solve_in_place(&mut right).is_err() {
+            right.fill(f64::NAN);
+        }
+        self.unknowns.iter().map(|own| own.map_or(0.0, |unknown| right[unknown])).collect()
+    }
+
+    /// Compliance between freedoms, symmetric: the displacement of the first under a unit load on the second; m/N.
+    pub fn compliance(&self, of: &[Freedom]) -> DMatrix<f64> {
+        let columns: Vec<Vec<f64>> = of.iter().map(|own| self.under(*own)).collect();
+        DMatrix::from_fn(of.len(), of.len(), |i, j| 0.5 * (columns[j][of[i].number()] + columns[i][of[j].number()]))
+    }
+
+    /// The compliance along a chain of members, seen by a direction there and by some freedoms.
+    pub fn along(&self, chain: &[usize], direction: Direction, others: &[Freedom]) -> Along<'s> {
+        Along::new(self, self.structure, chain, direction, others)
+    }
+}
+
+/// The upper triangle of the stiffness over the unknowns.
+fn assembled(structure: &Structure, unknowns: &[Option<usize>], count: usize) -> CscMatrix<f64> {
+    let mut matrix = CooMatrix::new(count, count);
+    let mut add = |a: usize, b: usize, value: f64| {
+        if let (Some(row), Some(column)) = (unknowns[a], unknowns[b])
+            && row <= column
+        {
+            matrix.push(row, column, value);
+        }
+    };
+    // Every diagonal entry is there, also of what nothing holds.
+    (0..unknowns.len()).for_each(|own| add(own, own, 0.0));
+    for (ends, member) in &structure.members {
+        let stiffness = member.stiffness();
+        let number = |k: usize| 3 * ends[k / 3] + k % 3;
+        for row in 0..6 {
+            (0..6).for_each(|column| add(number(row), number(column), stiffness[(row, column)]));
+        }
+    }
+    for spring in &structure.springs {
+        let (own, k) = (spring.at.number(), spring.stiffness);
+        add(own, own, k);
+        if let Some(node) = spring.from {
+            let other = Freedom { node, ..spring.at }.number();
+            add(other, other, k);
+            add(own, other, -k);
+            add(other, own, -k);
+        }
+    }
+    CscMatrix::from(&matrix)
+}
+
+/// Place of a diagonal entry among the values of an upper triangle: the last of its column.
+fn place(upper: &CscMatrix<f64>, unknown: usize) -> usize {
+    upper.col_offsets()[unknown + 1] - 1
+}
+
+fn entry(upper: &CscMatrix<f64>, unknown: usize) -> f64 {
+    upper.values()[place(upper, unknown)]
+}
+
+/// The softest motion by inverse iteration with every freedom in units of its own stiffness: its stiffness in those units, and
+/// the motion.
+fn softest(factor: &Factor, diagonal: &[f64]) -> (f64, Vec<f64>) {
+    // Anything that has some of every motion in it.
+    let mut motion: Vec<f64> = (0..diagonal.len()).map(|i| 1.0 + 0.5 * (1.7 * i as f64).sin()).collect();
+    let mut ratio = 1.0;
+    for _ in 0..ROUNDS {
+        let size = motion.iter().map(|own| own * own).sum::<f64>().sqrt();
+        motion.iter_mut().zip(diagonal).for_each(|(own, d)| *own *= d.sqrt() / size);
+        if factor.solve_in_place(&mut motion).is_err() {
+            break;
+        }
+        motion.iter_mut().zip(diagonal).for_each(|(own, d)| *own *= d.sqrt());
+        ratio = 1.0 / motion.iter().map(|own| own * own).sum::<f64>().sqrt();
+    }
+    motion.iter_mut().zip(diagonal).for_each(|(own, d)| *own /= d.sqrt());
+    (ratio, motion)
+}
+
+/// The freedom that moves most in a motion; turning counts by what it moves at the structure's size.
+fn most(structure: &Structure, unknowns: &[Option<usize>], motion: &[f64]) -> Freedom {
+    let extent = |k: usize| {
+        let of = |fold: fn(f64, f64) -> f64, start: f64| structure.nodes.iter().map(|own| own[k]).fold(start, fold);
+        of(f64::max, f64::NEG_INFINITY) - of(f64::min, f64::INFINITY)
+    };
+    let size = extent(0).max(extent(1));
+    let moved = |node: usize, direction: Direction| {
+        let own = unknowns[Freedom { node, direction }.number()].map_or(0.0, |unknown| motion[unknown].abs());
+        if direction == Direction::Turn { own * size } else { own }
+    };
+    let best = |ways: &[Direction]| {
+        let all = (0..structure.nodes.len()).flat_map(|node| ways.iter().map(move |direction| (node, *direction)));
+        let of = |(node, direction): (usize, Direction)| (moved(node, direction), Freedom { node, direction });
+        all.map(of).fold((0.0, Freedom { node: 0, direction: ways[0] }), |a, b| if b.0 > a.0 { b } else { a })
+    };
+    let (along, turning) = (best(&[Direction::X, Direction::Y]), best(&[Direction::Turn]));
+    // What turns as a whole also moves its nodes; where these stay, something turns in its place.
+    if along.0 > 1e-3 * turning.0 { along.1 } else { turning.1 }
+}
