@@ -400,7 +400,7 @@ pub const ALL: &[Entry] = &[
         material: material(3.1e9, 0.38, 1420.0, 110.0e-6, 0.31, 1470.0),
         spread: [8.0, 12.0, 15.0, 5.0],
         source: "datasheets of Delrin 100 and 150 (tensile modulus 3.0..3.2 GPa; alpha 100..120)",
-        cutting: cutting(150.0, 0.20, 25.0, "Walter, machining groups: O1"),
+        cutting: None,
     },
 ];
 

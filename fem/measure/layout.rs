@@ -119,7 +119,10 @@ fn with(text: &str, separator: char, said: Option<Option<usize>>) -> Layout {
             _ => Layout { above: first, ..layout(None, first) },
         };
     };
-    let top = (0..=last).rev().take_while(|i| is_heading(&all[*i])).last().unwrap_or(last);
+    // A line above that has fewer cells, and none of them blank, is a title.
+    let is_title = |line: &Line| line.cells.len() < columns && !line.cells.contains(&Cell::Blank);
+    let following = || (0..=last).rev().take_while(|i| is_heading(&all[*i]));
+    let top = following().take_while(|i| *i == last || !is_title(&all[*i])).last().unwrap_or(last);
     Layout { above: top, ..layout(Some(top), top + 1) }
 }
 

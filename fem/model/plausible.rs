@@ -21,8 +21,34 @@ const MISTAKES: &[(f64, &str)] = &[
 /// Part of the difference that may be left where a mistake explains it.
 const EXPLAINED: f64 = 0.1;
 
+/// Part of a commanded value by which an actual one differs at most.
+const SAME_PLACE: f64 = 0.02;
 /// Times as far off as any difference is, from which a reading is of nothing that was made.
 const NOTHING: f64 = 20.0;
+
+/// The problem of readings of a difference that are the actual values themselves: nearly as large as what was commanded.
+fn are_actual(
+    model: &Model,
+    measurements: &Measurements,
+    rows: &Rows,
+    (position, own): (usize, &[usize]),
+) -> Option<Problem> {
+    let coordinates = model.process.coordinates();
+    let commanded = coordinates.iter().position(|own| own.actual == Some(position))?;
+    let places = || own.iter().filter_map(|row| Some((*row, rows.get(commanded, *row).filter(|at| *at != 0.0)?)));
+    let is_one = |(row, at): &(usize, f64)| (measurements.observed[*row] - at).abs() < SAME_PLACE * at.abs();
+    let (all, count) = (places().count(), places().filter(is_one).count());
+    let (row, _) = places().find(is_one).filter(|_| count >= 3 && 10 * count >= 9 * all)?;
+    let observable = &model.process.observables()[position];
+    let problem = Problem::new(format!(
+        "readings of `{}` are as large as `{}`, {} in {}: they are actual values, and no differences",
+        observable.name,
+        coordinates[commanded].name,
+        observable.kind.format(measurements.observed[row]),
+        measurements.place(row),
+    ));
+    Some(problem.help("name their column `actual`: --columns 'HEADING=actual'"))
+}
 
 /// The problem of a few readings (row, predicted) among others that lie farther off than any difference is, where one mistake
 /// explains all of them: a part that was measured in inches.
@@ -56,6 +82,9 @@ pub fn implausible(model: &Model, measurements: &Measurements, rows: &Rows) -> O
         let own: Vec<usize> = (0..rows.len()).filter(|row| rows.observable[*row] == position).collect();
         let step = own.len().div_ceil(MOST).max(1);
         let own: Vec<usize> = own.into_iter().step_by(step).collect();
+        if let Some(problem) = are_actual(model, measurements, rows, (position, &own)) {
+            return Some(problem);
+        }
         if own.is_empty() || !observable.largest.is_finite() {
             continue;
         }
@@ -85,26 +114,11 @@ pub fn implausible(model: &Model, measurements: &Measurements, rows: &Rows) -> O
         let shown = observable.kind.format(measurements.observed[row]);
         let is_meant = |(factor, _): &&(f64, &str)| off(*factor).is_some_and(|left| left < EXPLAINED * difference);
         let meant = MISTAKES.iter().find(is_meant).map_or(String::new(), |(_, what)| format!("; as if {what}"));
-        let actual = model.process.coordinates().iter().position(|own| own.actual == Some(position));
-        let is_place = |row: &usize| {
-            let at = actual.and_then(|own| rows.get(own, *row));
-            at.is_some_and(|at| (measurements.observed[*row] - at).abs() < observable.largest)
-        };
-        let (meant, help) = match 2 * own.iter().filter(|row| is_place(row)).count() > own.len() {
-            true => (
-                "; they are actual values, and no differences".into(),
-                Some("name their column `actual`: --columns 'HEADING=actual'"),
-            ),
-            false => (meant, None),
-        };
         let problem = Problem::new(format!(
             "half of the readings of `{name}` lie more than {} from what the drawing says, as {shown} in {}{meant}",
             observable.error_kind().format(difference),
             measurements.place(row),
         ));
-        if let Some(help) = help {
-            return Some(problem.help(help));
-        }
         let unit = observable.kind.unit;
         return Some(problem.help(format!(
             "is the unit right, is it the part of the model? say the unit: --columns 'HEADING={name} [{unit}]', or mend the model"

@@ -81,6 +81,11 @@ const READ: &[(&str, &str, &str)] = &[
         "x [in],part,diameter_error [in/1000]\n1,1,0.5\n2,1,0.6\n1,2,0.7\n2,2,0.4\n",
     ),
     ("ring", "Nr;RONt [um]\n1;2,5\n2;2,7\n3;2,6\n4;2,4\n5;2,8\n;2,6\n;0,2\n", "RONt [um]\n2.5\n2.7\n2.6\n2.4\n2.8\n"),
+    (
+        "axis",
+        "Messung\tAchse X\nposition [mm]\tdirection\tdeviation [um]\n0\t+\t0,5\n10\t+\t1,5\n20\t-\t2,5\n",
+        "position [mm],direction,deviation [um]\n0,+,0.5\n10,+,1.5\n20,-,2.5\n",
+    ),
     // Loggers write the date beside the time; a remark is no zone of it.
     (
         "thermal",

@@ -9,10 +9,7 @@ use crate::process::{
 use crate::units::{FORCE, LENGTH, MICRO, TIME};
 
 /// Actual less commanded position.
-pub const OBSERVABLES: &[Observable] = &[Observable::within("deviation", "the position", MICRO, FAR_OFF)];
-
-/// No axis is as far off, m.
-const FAR_OFF: f64 = 5e-3;
+pub const OBSERVABLES: &[Observable] = &[Observable::new("deviation", "the position", MICRO)];
 
 /// Positions in [`COORDINATES`]: the commanded position.
 pub const POSITION: usize = 0;

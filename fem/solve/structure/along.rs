@@ -25,13 +25,9 @@ pub struct Seen {
 }
 
 impl<'s> Along<'s> {
-    pub(super) fn new(
-        factored: &Factored<'_>,
-        structure: &'s Structure,
-        chain: &[usize],
-        direction: Direction,
-        others: &[Freedom],
-    ) -> Self {
+    /// The compliance along a chain of members, seen in a direction there and by some freedoms.
+    pub fn new(factored: &Factored<'s>, chain: &[usize], direction: Direction, others: &[Freedom]) -> Self {
+        let structure = factored.structure;
         let of = |member: &usize| {
             let numbers = numbers(structure.members[*member].0);
             let columns: Vec<Vec<f64>> = numbers.iter().map(|own| factored.under(*own)).collect();

@@ -3,7 +3,6 @@
 use nalgebra::DMatrix;
 use nalgebra_sparse::{CooMatrix, CscMatrix};
 
-use super::along::Along;
 use super::error::StructureError;
 use super::{Direction, Freedom, Structure};
 use crate::solve::cholesky::{Factor, FactorError, Pattern};
@@ -18,7 +17,7 @@ const ROUNDS: usize = 4;
 
 /// A structure whose stiffness is factored.
 pub struct Factored<'s> {
-    structure: &'s Structure,
+    pub(super) structure: &'s Structure,
     /// Unknown of each freedom that is not held.
     unknowns: Vec<Option<usize>>,
     count: usize,
@@ -86,11 +85,6 @@ impl<'s> Factored<'s> {
     pub fn compliance(&self, of: &[Freedom]) -> DMatrix<f64> {
         let columns: Vec<Vec<f64>> = of.iter().map(|own| self.under(*own)).collect();
         DMatrix::from_fn(of.len(), of.len(), |i, j| 0.5 * (columns[j][of[i].number()] + columns[i][of[j].number()]))
-    }
-
-    /// The compliance along a chain of members, seen by a direction there and by some freedoms.
-    pub fn along(&self, chain: &[usize], direction: Direction, others: &[Freedom]) -> Along<'s> {
-        Along::new(self, self.structure, chain, direction, others)
     }
 }
 

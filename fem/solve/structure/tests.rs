@@ -62,7 +62,7 @@ fn a_straight_structure_is_a_shaft() {
     };
     let factored = structure.factored().unwrap();
     let ends = [freedom(0, Direction::Y), freedom(2, Direction::Y)];
-    let along = factored.along(&[0, 1], Direction::Y, &ends);
+    let along = Along::new(&factored, &[0, 1], Direction::Y, &ends);
     for (node, x) in [(0, 0.0), (1, 0.4), (2, 0.8), (3, 1.2), (4, 1.6)] {
         let plain = shaft.solve(&[(node, 1.0)]).unwrap().displacement;
         let seen = along.at(x).unwrap();
