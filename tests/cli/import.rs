@@ -72,7 +72,7 @@ const READ: &[(&str, &str, &str)] = &[
     (
         "axis",
         "Position;Weg;Abweichung\nmm;;µm\n0;positiv;1\n50;positiv;2\n50;negativ;-1\n",
-        "position [mm],direction,deviation [um]\n0,+,1\n50,+,2\n50,-,-1\n",
+        "position [mm],direction,deviation [µm]\n0,+,1\n50,+,2\n50,-,-1\n",
     ),
     // Units of shops over there, and lines below that sum up.
     (
