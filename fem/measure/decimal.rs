@@ -140,6 +140,10 @@ impl Default for Grouping {
 
 impl Grouping {
     fn see(&mut self, cell: &str, record: usize) {
+        // One fraction of another length settles it, of whatever comes.
+        if !self.is_grouped {
+            return;
+        }
         let Some(digits) = mantissa(cell) else { return };
         match digits.split_once('.') {
             // Nothing is written alike either way.

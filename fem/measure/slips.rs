@@ -111,6 +111,10 @@ pub fn slips(
     'all: while let Some(here) = surroundings(&left) {
         let far = here.far();
         for own in &far {
+            let Some((text, factor)) = typed(own.row) else { continue };
+            let shift = own.value - own.observed;
+            let near = NEAR * here.scale * own.spread;
+            let Some((meant, what)) = meant(&text, shift / factor, near / factor) else { continue };
             // What is off because of one beside it is none.
             let follows = |other: &Around| {
                 let without: Vec<usize> = left.iter().copied().filter(|row| *row != other.row).collect();
@@ -119,10 +123,6 @@ pub fn slips(
             if far.iter().filter(|other| other.row != own.row).take(MOST_BESIDE).any(|other| follows(other)) {
                 continue;
             }
-            let Some((text, factor)) = typed(own.row) else { continue };
-            let shift = own.value - own.observed;
-            let near = NEAR * here.scale * own.spread;
-            let Some((meant, what)) = meant(&text, shift / factor, near / factor) else { continue };
             let others: Vec<usize> = left.iter().copied().filter(|row| *row != own.row).collect();
             // A reading beside which others are as far off is one of them, and no slip.
             let is_nearby = |other: &Around| other.row.abs_diff(own.row) <= NEARBY;

@@ -206,13 +206,16 @@ fn units(headings: &mut [Heading], sheet: &mut Sheet, told: &mut Vec<String>) ->
 fn by_words(headings: &mut [Heading], records: &Records, vocabulary: Vocabulary) {
     let of = |column: usize, all: &Words| {
         let mut reader = records.reader();
-        let cells: Vec<String> = (0..records.len())
-            .map(|record| reader.read(record)[column].to_string())
-            .filter(|cell| !cell.is_empty())
-            .collect();
-        let is_word = |cell: &String| words::meant(cell, all).is_some();
         // Numbers mean many things.
-        cells.iter().all(is_word) && cells.iter().any(|cell| cell.parse::<f64>().is_err())
+        let mut is_spelled = false;
+        for record in 0..records.len() {
+            let cell = &reader.read(record)[column];
+            if !cell.is_empty() && words::meant(cell, all).is_none() {
+                return false;
+            }
+            is_spelled |= !cell.is_empty() && cell.parse::<f64>().is_err();
+        }
+        is_spelled
     };
     let taken: Vec<String> = headings.iter().filter(|own| own.is_known).map(|own| own.name.clone()).collect();
     let absent = vocabulary.coordinates.iter().filter(|own| !taken.iter().any(|name| *own.name == **name));

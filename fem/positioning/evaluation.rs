@@ -48,6 +48,13 @@ pub fn goes_around(angles: &[f64]) -> bool {
     (-SAME..=widest * (1.0 + 1e-6)).contains(&left)
 }
 
+/// Whether two targets or more stand apart by multiples of a period alone (m or rad): what comes back with it is at all of them
+/// the same, and taken for a shift, wherever the first stands.
+pub fn stand_apart_by(period: f64, targets: &[f64]) -> bool {
+    let is_whole = |n: f64| (n - n.round()).abs() < 1e-6;
+    targets.len() > 1 && targets.iter().all(|x| is_whole((x - targets[0]) / period))
+}
+
 impl Side {
     fn of(deviations: &[f64]) -> Option<Self> {
         let count = deviations.len();

@@ -11,7 +11,7 @@ mod quantity;
 mod table;
 mod tolerance;
 
-pub use evaluation::{EDITION, Evaluation, Side, Target, goes_around};
+pub use evaluation::{EDITION, Evaluation, Side, Target, goes_around, stand_apart_by};
 pub use grid::Grid;
 pub use measures::Measures;
 pub use pitch::{PitchErrors, Reversal, Step};

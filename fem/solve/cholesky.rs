@@ -31,6 +31,11 @@ pub(in crate::solve) struct Factor {
     values: Vec<f64>,
 }
 
+/// Place of a diagonal entry among the values of an upper triangle: the last of its column.
+pub(in crate::solve) fn diagonal(upper: &CscMatrix<f64>, unknown: usize) -> usize {
+    upper.col_offsets()[unknown + 1] - 1
+}
+
 /// faer's view of the pattern of `upper`, without a copy; its checks cannot fail on what nalgebra-sparse has
 /// checked.
 fn pattern_view(upper: &CscMatrix<f64>) -> SymbolicSparseColMatRef<'_, usize> {

@@ -7,7 +7,7 @@ use super::builder::Frame;
 use super::error::SolveError;
 use super::solution::{Convergence, Reaction, Solution};
 use super::support::Resistance;
-use crate::solve::cholesky::{Factor, FactorError, Pattern};
+use crate::solve::cholesky::{Factor, FactorError, Pattern, diagonal};
 
 /// Largest unbalanced force, relative to the loads, of a converged solution.
 pub(super) const FORCE_TOLERANCE: f64 = 1e-10;
@@ -219,11 +219,6 @@ fn assemble(frame: &Frame, unknowns: &[Option<usize>], size: usize) -> CscMatrix
         }
     }
     CscMatrix::from(&matrix)
-}
-
-/// Place of a diagonal entry among the values of an upper triangle: the last of its column.
-fn diagonal(upper: &CscMatrix<f64>, unknown: usize) -> usize {
-    upper.col_offsets()[unknown + 1] - 1
 }
 
 /// A failed factorisation in terms of the shaft.

@@ -5,7 +5,7 @@ use nalgebra_sparse::{CooMatrix, CscMatrix};
 
 use super::error::StructureError;
 use super::{Direction, Freedom, Structure};
-use crate::solve::cholesky::{Factor, FactorError, Pattern};
+use crate::solve::cholesky::{Factor, FactorError, Pattern, diagonal};
 
 /// Ratio of the softest motion's stiffness to that of its single freedoms below which nothing holds it: members a
 /// thousand times as slender as they are long still have 1e-10.
@@ -38,9 +38,9 @@ impl<'s> Factored<'s> {
             })
             .collect();
         let stiffness = assembled(structure, &unknowns, count);
-        let diagonal: Vec<f64> = (0..count).map(|i| entry(&stiffness, i)).collect();
+        let own: Vec<f64> = (0..count).map(|i| stiffness.values()[diagonal(&stiffness, i)]).collect();
         let loose = |motion: &[f64]| StructureError::Loose(most(structure, &unknowns, motion));
-        if let Some(nothing) = diagonal.iter().position(|own| *own <= 0.0) {
+        if let Some(nothing) = own.iter().position(|own| *own <= 0.0) {
             let mut motion = vec![0.0; count];
             motion[nothing] = 1.0;
             return Err(loose(&motion));
@@ -49,7 +49,7 @@ impl<'s> Factored<'s> {
         let pattern = Pattern::scattered(&stiffness).map_err(memory)?;
         match pattern.factor(&stiffness) {
             Ok(factor) => {
-                let (ratio, motion) = softest(&factor, &diagonal);
+                let (ratio, motion) = softest(&factor, &own);
                 if ratio < LOOSE {
                     return Err(loose(&motion));
                 }
@@ -58,12 +58,12 @@ impl<'s> Factored<'s> {
             Err(FactorError::OutOfMemory) => Err(StructureError::OutOfMemory { unknowns: count }),
             Err(FactorError::Pivot(_)) => {
                 let mut helped = stiffness;
-                for (i, own) in diagonal.iter().enumerate() {
-                    let at = place(&helped, i);
+                for (i, own) in own.iter().enumerate() {
+                    let at = diagonal(&helped, i);
                     helped.values_mut()[at] += HELP * own;
                 }
                 let factor = pattern.factor(&helped).map_err(memory)?;
-                Err(loose(&softest(&factor, &diagonal).1))
+                Err(loose(&softest(&factor, &own).1))
             }
         }
     }
@@ -118,15 +118,6 @@ fn assembled(structure: &Structure, unknowns: &[Option<usize>], count: usize) ->
         }
     }
     CscMatrix::from(&matrix)
-}
-
-/// Place of a diagonal entry among the values of an upper triangle: the last of its column.
-fn place(upper: &CscMatrix<f64>, unknown: usize) -> usize {
-    upper.col_offsets()[unknown + 1] - 1
-}
-
-fn entry(upper: &CscMatrix<f64>, unknown: usize) -> f64 {
-    upper.values()[place(upper, unknown)]
 }
 
 /// The softest motion by inverse iteration with every freedom in units of its own stiffness: its stiffness in those units, and

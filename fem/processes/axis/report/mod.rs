@@ -6,7 +6,7 @@ mod sketch;
 use super::machine::Machine;
 use super::rows::{COORDINATES, DIRECTION, OBSERVABLES, POSITION, RUN, TIME_OF_ROW};
 use super::setup::Setup;
-use crate::positioning::{Direction, Evaluation, Measures};
+use crate::positioning::{Direction, Evaluation, Measures, stand_apart_by};
 use crate::process::{Datum, Figure, Forward, Nut, Positioning, RunReport, Table, Tested, range};
 use crate::units::{MICRO, STIFFNESS};
 
@@ -81,14 +81,7 @@ fn screw(setup: &Setup) -> Figure {
 }
 
 fn warnings(setup: &Setup) -> Vec<String> {
-    let targets = setup.targets();
-    // What comes back at every target is taken for a shift of them all, wherever the first stands.
-    let is_multiple = |x: &f64| {
-        let turns = (x - targets[0]) / setup.lead;
-        (turns - turns.round()).abs() < 1e-6
-    };
     let warning = "all targets stand apart by multiples of the lead: errors that repeat with each turn cannot be seen; \
                    spacing = \"staggered\" in [test] moves them";
-    // A single target is no test of a screw.
-    if targets.len() > 1 && targets.iter().all(is_multiple) { vec![warning.into()] } else { Vec::new() }
+    if stand_apart_by(setup.lead, &setup.targets()) { vec![warning.into()] } else { Vec::new() }
 }

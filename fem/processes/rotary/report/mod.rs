@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use super::machine::Machine;
 use super::rows::{ANGLE_OF_ROW, COORDINATES, DIRECTION, OBSERVABLES, RUN, TIME_OF_ROW, TORQUE_OF_ROW};
 use super::setup::Setup;
-use crate::positioning::{Direction, Evaluation, Measures};
+use crate::positioning::{Direction, Evaluation, Measures, stand_apart_by};
 use crate::process::{Datum, Figure, Forward, Positioning, RunReport, Table, Tested, range};
 use crate::units::{NUMBER, SMALL_ANGLE, TORSIONAL_STIFFNESS};
 
@@ -97,10 +97,7 @@ fn warnings(setup: &Setup) -> Vec<String> {
     let line = setup.scale.and_then(|scale| scale.lines_a_turn(&setup.drive)).map(|lines| TAU / lines);
     let gearing = if setup.is_closed() { Vec::new() } else { setup.drive.periods() };
     let targets = setup.targets();
-    // What comes back at every target is taken for a shift of them all, wherever the first stands.
-    let all_on = |period: f64| {
-        targets.len() > 1 && targets.iter().map(|x| (x - targets[0]) / period).all(|n| (n - n.round()).abs() < 1e-6)
-    };
+    let all_on = |period: f64| stand_apart_by(period, &targets);
     // What comes back with a longer period comes back with its parts.
     let first = gearing.into_iter().find(|(period, _)| all_on(*period));
     let line = line.filter(|period| all_on(*period)).map(|period| (period, "a line of the scale"));
