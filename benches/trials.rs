@@ -2,7 +2,9 @@
 //! and asked for all rows of its programme. And what it costs to add five effects to a model one after the other: as
 //! edits, and with the text of each model read again, as a chain of `fem add` does.
 //!
-//! `cargo bench --bench trials`, or `-- contour` for one process, or `-- five`.
+//! A lathe of 100 members whose joint is tried: read, factored and condensed anew, with a sweep of 200 positions.
+//!
+//! `cargo bench --bench trials`, or `-- contour` for one process, `-- five`, or `-- structure`.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 #![allow(missing_docs)]
@@ -55,5 +57,46 @@ fn additions(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, trials, additions);
+/// The lathe on its bed with the bed in 94 members.
+fn drawn(members: usize) -> String {
+    let text = include_str!("../models/lathe-on-bed.toml").replace("positions = 101", "positions = 200");
+    let (before, bed) = text.split_once("[structure.bed-b]").unwrap();
+    let after = &bed[bed.find("[structure.bed-c]").unwrap()..];
+    let end = |i: usize| match i {
+        0 => "under-headstock".to_string(),
+        i if i == members => "under-tailstock".to_string(),
+        i => format!("bed{i}"),
+    };
+    let nodes: String = (1..members)
+        .map(|i| format!("bed{i} = [\"{} mm\", \"-350 mm\"]\n", -200.0 + 920.0 * i as f64 / members as f64))
+        .collect();
+    let pieces: String = (0..members)
+        .map(|i| {
+            let (from, to) = (end(i), end(i + 1));
+            let section = "width = \"350 mm\"\nheight = \"220 mm\"\nwall = \"18 mm\"\n";
+            format!("[structure.bed-b{i}]\nbetween = [\"{from}\", \"{to}\"]\n{section}\n")
+        })
+        .collect();
+    let names: String = (0..members).map(|i| format!("\"bed-b{i}\", ")).collect();
+    let before = before.replace("[structure.nodes]\n", &format!("[structure.nodes]\n{nodes}"));
+    let before =
+        before.replace("\"bed-b\", ", &names).replace("to = \"0 mm\"\n", "to = \"0 mm\"\n[sweep]\npositions = 200\n");
+    format!("{before}{pieces}{after}")
+}
+
+fn structure(criterion: &mut Criterion) {
+    let model = Model::parse(Source::new("model.toml", drawn(94))).unwrap();
+    let rows = model.system.programme();
+    let values: Vec<f64> = model.parameters.iter().map(|own| own.quantity.value).collect();
+    let mut moved = 0.0;
+    criterion.bench_function("structure, 100 members, 200 positions", |b| {
+        b.iter(|| {
+            moved += 1e-9;
+            let trial: Vec<f64> = values.iter().map(|value| value * (1.0 + moved)).collect();
+            model.forward_at(&trial).unwrap().observe(&rows).unwrap()
+        })
+    });
+}
+
+criterion_group!(benches, trials, additions, structure);
 criterion_main!(benches);

@@ -67,3 +67,21 @@ pub fn starting_file(name: &str) -> Result<StartingFile, Error> {
     let unknown = || Problem::new(format!("`{name}` is no process known here")).help(help).into();
     all.into_iter().find(|s| s.name == name).ok_or_else(unknown)
 }
+
+/// The model of a process on a structure of its own to start from, by the name of the process.
+///
+/// # Errors
+/// There is no such process, or it stands on none.
+pub fn starting_structure(name: &str) -> Result<StartingFile, Error> {
+    let file = starting_file(name)?;
+    let of = |p: &&'static dyn Process| p.starting_structure().map(|text| (p.name(), text));
+    let all: Vec<(&str, &str)> = processes::ALL.iter().filter_map(of).collect();
+    let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+    match all.iter().find(|(own, _)| *own == name) {
+        Some((_, text)) => Ok(StartingFile { text: text.to_string(), ..file }),
+        None => {
+            let problem = Problem::new(format!("`{name}` does not stand on a structure"));
+            Err(problem.help(format!("these do: {}", names.join(", "))).into())
+        }
+    }
+}

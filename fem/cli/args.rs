@@ -460,10 +460,15 @@ pub struct Set {
 }
 
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:\n  fem new\n  fem new turning -o shaft.toml")]
+#[command(
+    after_help = "Examples:\n  fem new\n  fem new turning -o shaft.toml\n  fem new turning --structure -o lathe.toml"
+)]
 pub struct New {
     /// The process to model, or `budget` or `study`; what there is if left out
     pub process: Option<String>,
+    /// With the machine drawn as beams and joints
+    #[arg(long, requires = "process")]
+    pub structure: bool,
     /// The file to write; it must not exist. Printed if left out
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,

@@ -3,13 +3,14 @@
 use super::args;
 use super::error::Error;
 use super::terminal::print;
-use crate::ask::{StartingFile, starting_file, starting_files};
+use crate::ask::{StartingFile, starting_file, starting_files, starting_structure};
 use crate::input::Problem;
 use crate::output::files::{self, Guard};
 
 pub fn new(args: &args::New) -> Result<(), Error> {
     let Some(name) = &args.process else { return print(&listed()) };
-    let StartingFile { text, command, .. } = starting_file(name)?;
+    let StartingFile { text, command, .. } =
+        if args.structure { starting_structure(name) } else { starting_file(name) }?;
     let Some(path) = &args.output else { return print(&text) };
     if path.exists() {
         let problem = Problem::new(format!("{} exists already", path.display()));

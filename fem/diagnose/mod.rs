@@ -163,5 +163,7 @@ fn diagnose_all<'a>(data: &'a Data<'a>, extent: Extent<'_, 'a>) -> Result<Diagno
 /// Effects of the process that the model does not have and that could act in it.
 fn absent(model: &Model) -> Vec<Description> {
     let is_absent = |d: &Description| model.effects.iter().all(|e| e.description != *d);
-    model.process.effects().into_iter().filter(is_absent).filter(|d| model.system.admits(&d.name).is_ok()).collect()
+    let own = |d: Description| Description { odds: model.system.odds(&d.name).unwrap_or(d.odds), ..d };
+    let all = model.process.effects().into_iter().filter(is_absent);
+    all.filter(|d| model.system.admits(&d.name).is_ok()).map(own).collect()
 }

@@ -9,4 +9,4 @@ mod section;
 pub use bar::BarPiece;
 pub use beam::BeamPiece;
 pub use member::{EndStiffness, Inside, Member};
-pub use section::{Rectangle, Round};
+pub use section::{Rectangle, Round, Tube};

@@ -3,19 +3,20 @@
 use serde_json::json;
 use toml_edit::Value;
 
-use super::{Bounds, Problem, Reader};
+use super::{Bounds, Name, Problem, Reader};
 use crate::units::{Kind, Quantity};
 
 impl Reader<'_> {
     /// A key with two quantities of `kind`, such as x and y, in SI units; `None`, with the problem noted,
     /// where it is absent or wrong.
-    pub fn pair(&self, key: &'static str, kind: Kind, about: &'static str) -> Option<[f64; 2]> {
+    pub fn pair(&self, key: impl Into<Name>, kind: Kind, about: &'static str) -> Option<[f64; 2]> {
+        let key = &key.into();
         let (item_of, example) = (json!({ "type": "string", "examples": [kind.example()] }), kind.example());
         let schema =
             || json!({ "type": "array", "description": about, "items": item_of, "minItems": 2, "maxItems": 2 });
         self.describe(key, schema, true);
         let written = format!("{key} = [\"{example}\", \"{example}\"]");
-        let Some(item) = self.item(key) else {
+        let Some(item) = self.item(key.clone()) else {
             self.missing(key, &written, about);
             return None;
         };
@@ -46,5 +47,14 @@ impl Reader<'_> {
         };
         let (first, second) = (read(0, first), read(1, second));
         Some([first?, second?])
+    }
+    /// All keys of this table that are not asked for otherwise, each a pair of quantities of `kind` with a name of the
+    /// user's choice: points of a plane.
+    pub fn named_pairs(&self, kind: Kind, about: &'static str) -> Vec<(Name, [f64; 2])> {
+        if self.is_described() {
+            self.pair("", kind, about);
+            self.describe_further("");
+        }
+        self.further().into_iter().filter_map(|name| Some((name.clone(), self.pair(name, kind, about)?))).collect()
     }
 }

@@ -94,12 +94,15 @@ enum Ground<'a> {
 pub struct Shape {
     properties: Map<String, Json>,
     required: Vec<Json>,
+    /// What may stand behind names of the user's choice, if any may.
+    further: Option<Json>,
 }
 
 impl Shape {
     /// The schema of an object with these properties and no others.
     pub fn into_schema(self, about: &str) -> Json {
-        json!({ "type": "object", "description": about, "properties": self.properties, "required": self.required, "additionalProperties": false })
+        let further = self.further.unwrap_or_else(|| json!(false));
+        json!({ "type": "object", "description": about, "properties": self.properties, "required": self.required, "additionalProperties": further })
     }
 }
 
@@ -285,6 +288,11 @@ impl<'a> Reader<'a> {
         matches!(&self.ground, Ground::Given(table, _) if table.contains_key(key))
     }
 
+    /// Says of a key that was read that it may be left out.
+    pub fn may_be_left_out(&self, key: &str) {
+        self.shape.borrow_mut().required.retain(|required| required != key);
+    }
+
     /// Whether the file has a table behind this key.
     pub fn has_table(&self, key: &'static str) -> bool {
         matches!(&self.ground, Ground::Given(table, _) if table.get(key).is_some_and(Item::is_table_like))
@@ -389,6 +397,12 @@ impl<'a> Reader<'a> {
                 shape.required.push(json!(key));
             }
         }
+    }
+
+    /// The keys of this table that nobody has asked for, in the order of the file: names of the user's choice.
+    pub(super) fn further(&self) -> Vec<Name> {
+        let asked = self.asked.borrow();
+        self.keys().into_iter().filter(|key| asked.iter().all(|name| name.as_str() != key)).map(Name::from).collect()
     }
 
     /// Refuses the keys that nobody asked for, and tells of those that are not there; a misspelt key is told

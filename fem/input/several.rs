@@ -46,6 +46,25 @@ impl Reader<'_> {
         Some(self.entries(key, &written)?.into_iter().enumerate().filter_map(read).collect())
     }
 
+    /// A key with names: one, or a list of them; `None` where it is absent. What is no text is noted and left out.
+    pub fn texts(&self, key: &'static str, about: &'static str) -> Option<Vec<String>> {
+        let list = json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 });
+        self.describe(key, || json!({ "anyOf": [{ "type": "string" }, list], "description": about }), false);
+        if let Some(one) = self.written(key) {
+            self.item(key);
+            return Some(vec![one.to_string()]);
+        }
+        let read = |value: &Value| {
+            if value.as_str().is_none() {
+                let problem =
+                    Problem::new(format!("an entry of `{key}`: expected a name, found {}", value.type_name()));
+                self.refuse(problem.help(format!("write {key} = [\"…\", …]")).at(value.span()));
+            }
+            value.as_str().map(str::to_string)
+        };
+        Some(self.entries(key, &format!("{key} = [\"…\", …]"))?.into_iter().filter_map(read).collect())
+    }
+
     fn entries(&self, key: &'static str, written: &str) -> Option<Vec<&Value>> {
         let item = self.item(key)?;
         match item.as_array() {

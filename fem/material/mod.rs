@@ -59,6 +59,16 @@ impl Material {
         })
     }
 
+    /// The same where `key` may be left out for another material.
+    pub fn read_or(table: &Reader, key: &'static str, other: &Self) -> Self {
+        if !table.has(key) && !table.is_described() {
+            return *other;
+        }
+        let own = Self::read(table, key);
+        table.may_be_left_out(key);
+        own
+    }
+
     /// The `steel` of the list.
     pub const STEEL: Self = BUILT_IN[0].1;
 

@@ -78,8 +78,10 @@ fn walk(schema: &Json, table: &dyn TableLike, above: &str, outline: &mut Outline
     let Some(properties) = schema["properties"].as_object() else { return };
     let is_aside = |key: &str| above.is_empty() && ASIDE.contains(&key);
     let path = |key: &str| if above.is_empty() { key.to_string() } else { format!("{above}.{key}") };
+    // Tables with names of the user's choice; those of effects have ways of their own.
+    let further = schema.get("additionalProperties").filter(|own| own.is_object() && above != "effects");
     for (key, item) in table.iter() {
-        if let Some(own) = properties.get(key).filter(|_| !is_aside(key)) {
+        if let Some(own) = properties.get(key).or(further).filter(|_| !is_aside(key)) {
             present(own, item, path(key), outline);
         }
     }

@@ -85,6 +85,10 @@ impl Process for Recorded {
         self.process.starting_model()
     }
 
+    fn starting_structure(&self) -> Option<&'static str> {
+        self.process.starting_structure()
+    }
+
     fn effects(&self) -> Vec<Description> {
         self.process.effects()
     }

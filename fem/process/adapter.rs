@@ -4,8 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use super::{
     Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
-    Definition, Description, Failure, FormulaLaw, Forward, ForwardModel, Making, Misplaced, NoLaw, Observable, Places,
-    Positioning, Process, Requirement, Rows, RunReport, Spot, System, UnitRole,
+    Definition, Description, Failure, FormulaLaw, Forward, ForwardModel, Making, Misplaced, NoLaw, Observable, Odds,
+    Places, Positioning, Process, Requirement, Rows, RunReport, Spot, System, UnitRole,
 };
 use crate::gcode::Workpiece;
 use crate::input::Reader;
@@ -35,6 +35,10 @@ impl<D: Definition> Process for D {
 
     fn starting_model(&self) -> &'static str {
         D::STARTING_MODEL
+    }
+
+    fn starting_structure(&self) -> Option<&'static str> {
+        D::STARTING_STRUCTURE
     }
 
     fn effects(&self) -> Vec<Description> {
@@ -71,6 +75,10 @@ impl<D: Definition> System for Ready<D> {
             Some(known) => known.admissible(&self.setup).map_err(|reason| format!("`{effect}` {reason}")),
             None => Ok(()),
         }
+    }
+
+    fn odds(&self, effect: &str) -> Option<Odds> {
+        D::odds(&self.setup, effect)
     }
 
     fn contradiction(&self, effect: &Active) -> Option<Contradiction> {

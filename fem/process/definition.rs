@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{
     Active, Advice, Allowed, AllowedWords, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded,
-    Coordinate, DatumDirection, Failure, Gauged, Making, Misplaced, NoLaw, Observable, Places, Positioning,
+    Coordinate, DatumDirection, Failure, Gauged, Making, Misplaced, NoLaw, Observable, Odds, Places, Positioning,
     Requirement, Rows, RunReport, Spot, UnitRole,
 };
 use crate::gcode::Workpiece;
@@ -32,6 +32,8 @@ pub trait Definition: Sync + Sized + 'static {
     const COORDINATES: &'static [Coordinate];
     /// A commented model to start from.
     const STARTING_MODEL: &'static str;
+    /// One on a structure of its own, where it can stand on one.
+    const STARTING_STRUCTURE: Option<&'static str> = None;
     /// Its effects, in the order in which people meet them.
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Self::Setup, Self::Machine>];
 
@@ -131,6 +133,11 @@ pub trait Definition: Sync + Sized + 'static {
 
     /// Why it cannot say what a change of a quantity does, by its path. As a rule it can, or nothing changes.
     fn no_law(_setup: &Self::Setup, _path: &str) -> Option<NoLaw> {
+        None
+    }
+
+    /// Odds of an effect in such a set-up, where they are not those of the catalogue.
+    fn odds(_setup: &Self::Setup, _effect: &str) -> Option<Odds> {
         None
     }
 

@@ -36,6 +36,14 @@ pub const STIFFNESS: Doubt = Doubt::by_factor(
     "stiffnesses are taken from other machines more often than measured, and joints take most of them",
 );
 
+/// Compliance of a machine that was measured.
+pub const COMPLIANCE: Doubt = Doubt::by_factor(
+    0.1,
+    1.3,
+    Grows::Linearly,
+    "a load cell and a dial are each off by percents, and joints settle between one pull and the next",
+);
+
 /// Coefficient of a contact.
 pub const CONTACT: Doubt =
     Doubt::by_factor(0.3, 3.0, Grows::Linearly, "coefficients of contacts are of surfaces that somebody else prepared");

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::{
     Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
-    Description, Failure, Making, Misplaced, NoLaw, Observable, Places, Positioning, Requirement, Rows, RunReport,
-    Spot, UnitRole,
+    Description, Failure, Making, Misplaced, NoLaw, Observable, Odds, Places, Positioning, Requirement, Rows,
+    RunReport, Spot, UnitRole,
 };
 use crate::gcode::Workpiece;
 use crate::input::Reader;
@@ -40,6 +40,11 @@ pub trait Process: Sync {
     /// A commented model to start from.
     fn starting_model(&self) -> &'static str;
 
+    /// One on a structure of its own, where it can stand on one.
+    fn starting_structure(&self) -> Option<&'static str> {
+        None
+    }
+
     /// Its catalogue of effects, in the order in which people meet them.
     fn effects(&self) -> Vec<Description>;
 
@@ -68,6 +73,11 @@ pub trait System: Send + Sync {
     /// # Errors
     /// The reason, as a sentence.
     fn admits(&self, effect: &str) -> Result<(), String>;
+
+    /// Odds of an effect in this system, where they are not those of the catalogue.
+    fn odds(&self, _effect: &str) -> Option<Odds> {
+        None
+    }
 
     /// Contradiction between the written values of an effect and the system, if any.
     fn contradiction(&self, effect: &Active) -> Option<Contradiction>;

@@ -33,6 +33,7 @@ mod scene;
 mod segment;
 mod sketch;
 mod standing;
+pub(crate) mod structure;
 mod tested;
 mod values;
 mod winding;

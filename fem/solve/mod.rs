@@ -8,6 +8,7 @@ mod cholesky;
 pub mod conduction;
 pub mod elastic;
 mod equilibrium;
+mod foundation;
 pub mod frame;
 pub mod heat;
 mod plane;
@@ -19,4 +20,5 @@ pub mod structure;
 
 pub use bar::Bar;
 pub use equilibrium::{Equilibrium, JointsError, solve_joints};
+pub use foundation::Foundation;
 pub use shaft::{Condensed, Hold, Rest, Shaft, ShaftError};

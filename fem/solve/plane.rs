@@ -141,6 +141,15 @@ impl HalfPlane {
         if rotation > 0.0 { (slope / rotation, force / rotation) } else { (0.0, 0.0) }
     }
 
+    /// The end of this side at its rigid support, where what holds its rotation is turned by one unit: the slope that
+    /// follows, the force (N) and the moment (N m) with which the support holds it, all counter-clockwise and upwards for
+    /// an end on the left; `None` where its rotation is not held. `self` is all that hangs on that support.
+    pub fn turned(&self, turning: Turning) -> Option<(f64, f64, f64)> {
+        let rotation = self.a22 * turning.p + self.delta * turning.q;
+        let by = |value: f64| value * turning.q / rotation;
+        (turning.q > 0.0 && rotation > 0.0).then(|| (by(self.delta), by(self.a12), by(self.a22)))
+    }
+
     /// Deflection and slope at the near end of a link whose far end moves by (w, θ); `self` holds the near
     /// end, and θ counts away from its support. About the link's middle u' = (I + F·K)⁻¹·u.
     #[inline]

@@ -36,6 +36,7 @@ kinds! {
     STRESS = "a stress" in "MPa", as "100";
     STIFFNESS = "a stiffness" in "N/um", as "60";
     ROTATIONAL_STIFFNESS = "a rotational stiffness" in "kN*m/rad", as "400";
+    COMPLIANCE = "a compliance" in "um/kN", as "10";
     CONTACT_COEFFICIENT = "a contact coefficient" in "um/N^n", as "0.2";
     SLOPE = "a slope" in "um/m", as "20";
     STEEP_SLOPE = "a slope" in "mm/m", as "1";

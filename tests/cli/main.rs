@@ -42,6 +42,7 @@ mod set;
 mod start;
 mod stiffness;
 mod story;
+mod structure;
 mod study;
 mod tailstock;
 mod thermal;

@@ -20,6 +20,7 @@ mod promised;
 mod recurring;
 mod scaled;
 mod score;
+mod soft_joint;
 mod table;
 mod trouble;
 mod unknown;

@@ -65,7 +65,7 @@ impl Trial {
         let influence = condensed.influence[self.tool];
         let joints = solve_joints(&self.joints, influence, &condensed.constraint, (self.load, [0.0; 2]), None).unwrap();
         let [head, tail] = joints.displacements;
-        let shape = condensed.shape(self.tool);
+        let shape = condensed.line(self.tool, 1.0, [0.0; 2]);
         assert!((shape[self.tool] / condensed.compliance[self.tool] - 1.0).abs() < 1e-12);
         shape.iter().zip(&condensed.influence).map(|(unit, g)| unit * self.load + g[0] * head + g[1] * tail).collect()
     }

@@ -166,6 +166,30 @@ impl<'a> Reader<'a> {
         values
     }
 
+    /// All keys of this table that are not asked for before, nor `later`, each a table with a name of the user's choice,
+    /// read with its name.
+    pub fn own_tables<T>(
+        &self,
+        later: &[&str],
+        about: &'static str,
+        read: impl Fn(&Name, &Reader<'a>) -> T,
+    ) -> Vec<(Name, T)> {
+        let each = |name: Name| (name.clone(), self.table(name.clone(), about, |t| read(&name, t)));
+        if matches!(self.ground, Ground::Described) {
+            let example = each(Name::new(""));
+            self.describe_further("");
+            return vec![example];
+        }
+        self.further().into_iter().filter(|name| !later.contains(&name.as_str())).map(each).collect()
+    }
+
+    /// Makes what is described behind a key the schema of names of the user's choice.
+    pub(in crate::input) fn describe_further(&self, key: &str) {
+        let mut shape = self.shape.borrow_mut();
+        shape.further = shape.properties.remove(key);
+        shape.required.retain(|required| required != key);
+    }
+
     /// Tables with names of a list within a table that may hold other keys too, which somebody else reads
     /// ([`Reader::part`] was called before): `[measurement.NAME]`, and further ones as `[measurement.NAME-2]`.
     /// Each is read with the name of the list, and its own.

@@ -7,7 +7,7 @@ use super::commands::{command, discover, next_rows};
 use super::kinds::{Kinds, Open};
 use super::text::{NO_ROWS_ADVISED, experiment, head, told_by, told_otherwise, unexplained};
 use super::verdict::verdict;
-use super::words::{added, as_written, bent, label, largest_change, like, percent, rivals, value_before};
+use super::words::{added, as_written, bent, label, largest_change, like, moved, percent, rivals, value_before};
 use crate::diagnose::{Cause, Diagnosis, Group, Missing, Next, Outlier};
 use crate::fit::Estimate;
 use crate::input::Name;
@@ -58,6 +58,8 @@ fn entries(data: &Data, d: &Diagnosis) -> Vec<(String, String)> {
     tell("described", kinds.described.iter().map(|m| cause(m, data, d)).collect());
     tell("group", d.posterior.groups.iter().map(|group| some_of(group, d)).collect());
     tell("open", open(&kinds.open));
+    let moved = moved(d);
+    tell("moved", (!moved.is_empty()).then(|| listed(&moved, SEVERAL)).into_iter().collect());
     if d.leaves_structure() {
         tell("remains", vec![remains(data, d)]);
     }

@@ -4,7 +4,7 @@ use super::additions::name;
 use super::commands::{commands, discover};
 use super::verdict::verdict;
 use super::words::{
-    added, as_written, bent, chance, label, largest_change, like, percent, rivals, traits, value_before,
+    added, as_written, bent, chance, label, largest_change, like, moved, percent, rivals, traits, value_before,
 };
 use super::{absent, campaign};
 use crate::diagnose::{CERTAIN, Cause, Diagnosis, GoodnessOfFit, Group, Missing, Next, Outlier, RULED_OUT, Verdict};
@@ -32,6 +32,11 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
     blocks.extend([Block::Table(fits), Block::Sentence(format!("in {}", kind.unit))]);
     if model.campaign().is_some() {
         blocks.push(Block::Lines(campaign::fits(data, d)));
+    }
+    let moved = moved(d);
+    if !moved.is_empty() {
+        blocks.push(Block::Heading("roughly known values that the data move far".into()));
+        blocks.push(Block::Lines(moved.iter().map(|own| format!("  {own}\n")).collect()));
     }
     if d.leaves_structure() {
         if !d.missing.is_empty() {

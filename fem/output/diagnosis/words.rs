@@ -1,10 +1,12 @@
 //! Words for a missing effect.
 
-use crate::diagnose::{Along, Bend, Cause, FreeLaw, Missing};
+use crate::diagnose::{Along, Bend, Cause, Diagnosis, FreeLaw, Missing};
 use crate::fit::Estimate;
 use crate::model::{Data, Model};
 use crate::output::fit::Short;
 use crate::output::measurement;
+use crate::output::text::whole;
+use crate::units::Knowledge;
 
 /// A missing effect in a few words, with what groups the rows: `zero-shift by run`.
 pub fn label(missing: &Missing) -> String {
@@ -56,6 +58,25 @@ pub fn value_before(missing: &Missing, name: &str) -> Option<String> {
     let changed = missing.effect.parameters.iter().filter(|p| !p.is_step);
     let (parameter, before) = changed.zip(&missing.before).find(|(p, _)| p.name == *name)?;
     Some(format!("{:.4} -> ", Short(parameter.kind.from_si(*before))))
+}
+
+/// Standard uncertainties beyond which the data have moved a value that was roughly known, and the part of its uncertainty
+/// that they must have left to speak of it at all.
+const MOVED: f64 = 2.0;
+const SHARPENED: f64 = 0.5;
+
+/// Values of the model that were roughly known and that the data move far: what a re-fitted model hides.
+pub fn moved(d: &Diagnosis) -> Vec<String> {
+    let text = |e: &Estimate| {
+        let Knowledge::Rough(rough) = e.parameter.quantity.knowledge else { return None };
+        let (written, kind) = (e.parameter.quantity.value, e.parameter.kind);
+        let is_moved = (e.value - written).abs() > MOVED * rough && e.std < SHARPENED * rough;
+        let [value, written, rough] = [e.value, written, rough].map(|si| Short(kind.from_si(si)));
+        let unit = kind.unit;
+        is_moved
+            .then(|| whole(&format!("{} {value:.4} {unit} (written as {written:.4} +- {rough:.2})", e.parameter.path)))
+    };
+    d.fit.estimates.iter().filter_map(text).collect()
 }
 
 /// The change of an effect in a line: `stiffness 60 -> 45 N/um after part 12`.

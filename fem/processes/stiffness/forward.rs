@@ -1,11 +1,27 @@
-//! Predicts every row from the curve of the joint.
+//! Predicts every row from the curve of the joint, and from the structure that it stands on.
 
 use super::curve::Curve;
-use super::rows::{FORCE_OF_ROW, branch, reached};
+use super::machine::Machine;
+use super::rows::{FORCE_OF_ROW, branch, dial, load, reached};
 use crate::process::Rows;
 
-/// The displacement of every row, m.
-pub fn observe(curve: &Curve, rows: &Rows) -> Vec<f64> {
+/// The displacement of every row of a joint alone, m.
+pub fn of_joint(curve: &Curve, rows: &Rows) -> Vec<f64> {
     let curve = Curve { max_force: reached(curve.max_force, rows), ..curve.clone() };
     (0..rows.len()).map(|row| curve.displacement(rows.columns[FORCE_OF_ROW][row], branch(rows, row))).collect()
+}
+
+/// The displacement of every row, m: of the joint where the dial watches what is pushed, and everywhere of the structure, to
+/// which the joint passes on what friction leaves.
+pub fn observe(machine: &Machine, rows: &Rows) -> Vec<f64> {
+    let curve = &machine.curve;
+    let own = of_joint(curve, rows);
+    let Some(base) = &machine.setup.base else { return own };
+    let of_row = |row: usize| {
+        let (load, dial) = (load(rows, row), dial(rows, row));
+        let passed_on = curve.spring_force(rows.columns[FORCE_OF_ROW][row], branch(rows, row));
+        let own = if base.watches(load, dial) { own[row] } else { curve.offset };
+        own + base.compliance(load, dial) * passed_on
+    };
+    (0..rows.len()).map(of_row).collect()
 }

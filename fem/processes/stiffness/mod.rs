@@ -1,9 +1,12 @@
 //! Stiffness: a joint or a whole machine is pushed up to a force and let go again, and gives way by y(F).
 //!
 //! The ideal one is a spring, y = F/k. Clearance, contact, friction and preload bend its curve, and where
-//! loading and unloading part, the area between them is the work of friction [seed 000, fig. 5].
+//! loading and unloading part, the area between them is the work of friction [seed 000, fig. 5]. A whole machine may be
+//! drawn as a structure: then it is pushed at several places, dials watch several of its nodes, and the joint stands
+//! between the force and the place that is pushed.
 
 mod allowed;
+mod base;
 pub(crate) mod curve;
 mod effects;
 mod forward;
@@ -35,6 +38,7 @@ impl Definition for Stiffness {
     const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
+    const STARTING_STRUCTURE: Option<&'static str> = Some(include_str!("../../../models/pushed-lathe.toml"));
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
 
     const OF_UNIT: &'static [(&'static str, UnitRole)] = &[("joint.stiffness", UnitRole::Spring)];
@@ -72,7 +76,7 @@ impl Definition for Stiffness {
     }
 
     fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
-        Ok(forward::observe(&machine.curve, rows))
+        Ok(forward::observe(machine, rows))
     }
 
     fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {

@@ -1,6 +1,9 @@
 //! The tables of a stiffness model.
 
+use std::sync::Arc;
+
 use super::allowed::ALLOWED;
+use super::base::Base;
 use crate::input::Reader;
 use crate::process::{Allowed, estimates};
 use crate::units::{FORCE, STIFFNESS};
@@ -20,10 +23,12 @@ impl Loading {
 }
 
 /// Everything a stiffness model says but its effects. SI units.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone)]
 pub struct Setup {
-    /// Stiffness k of the ideal joint, N/m.
+    /// Stiffness k of the ideal joint, N/m; infinite where a structure is pushed without one.
     pub stiffness: f64,
+    /// The machine that is pushed, if it is drawn.
+    pub base: Option<Arc<Base>>,
     /// The unit of a machine that the joint is, where it is one.
     pub unit: Option<String>,
     /// Force at which loading ends, N.
@@ -39,12 +44,22 @@ pub struct Setup {
 impl Setup {
     /// Reads every table of a stiffness model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
-        let (stiffness, unit) = model.table("joint", "the joint, or the machine as a whole", |t| {
+        let base = Base::read(model).map(Arc::new);
+        let read_joint = |t: &Reader| {
             let stiffness =
                 t.quantity("stiffness", STIFFNESS, "stiffness of the ideal joint").estimated(estimates::STIFFNESS);
             let stiffness = stiffness.positive().required();
             (stiffness, t.text("unit", "the unit of the machine that is loaded, as its file names it: \"tailstock\""))
-        });
+        };
+        // Beside a structure it is the joint that passes the force on, and there need be none.
+        const JOINT: &str = "the joint, or the machine as a whole";
+        let (stiffness, unit) = match model.has("structure") {
+            true => model.optional_table("joint", JOINT, read_joint).unwrap_or((f64::INFINITY, None)),
+            false => model.table("joint", JOINT, read_joint),
+        };
+        if model.is_described() {
+            model.may_be_left_out("joint");
+        }
         let (max_force, steps, loading) = model.table("test", "how it is loaded and unloaded", |t| {
             let max_force = t.quantity("max_force", FORCE, "force at which loading ends").positive().required();
             let steps = t.count("steps", "steps up to it, and down again").between(1, 1_000_000).or(20);
@@ -53,7 +68,7 @@ impl Setup {
         });
         let about = "what the displacement is held against";
         let allowed = model.optional_table("tolerance", about, |t| Allowed::read(t, &ALLOWED)).unwrap_or_default();
-        Self { stiffness, unit, max_force, steps, loading, allowed }
+        Self { stiffness, base, unit, max_force, steps, loading, allowed }
     }
 
     /// Forces of the programme, rising, N.

@@ -66,6 +66,8 @@ pub struct Deflection {
     pub displaced: [f64; 2],
     /// The shaft's own bending under the tool, m.
     pub shaft: f64,
+    /// What supports and tool stand on, m.
+    pub structure: f64,
     /// Tool, slide and holder, m.
     pub carriage: f64,
     /// The whole gap y between tool and work, m.
@@ -77,7 +79,7 @@ pub struct Deflection {
 }
 
 impl Deflection {
-    /// How far the shaft is moved at headstock and tailstock, m.
+    /// How far joints and what moves supports have moved the shaft at headstock and tailstock, m.
     pub fn ends(&self) -> [f64; 2] {
         let y = self.supports.displacements;
         [y[0] + self.displaced[0], y[1] + self.displaced[1]]
@@ -154,13 +156,15 @@ impl<'a> Elastic<'a> {
         let left = |k: usize| self.shaft.bent_forces[k] - s[k][0] * displaced[0] - s[k][1] * displaced[1];
         let near = near.map(|d| &d.supports);
         let supports = solve_joints(&self.joints, influence, s, (force, [left(0), left(1)]), near)?;
-        let shaft = self.shaft.compliance[i] * force;
+        let [compliance, founded] = [self.shaft.compliance[i], self.shaft.foundation_compliance(i)];
+        let [shaft, structure] = [compliance * force, founded * force];
         let (carriage, carriage_rate) = self.carriage.yield_under(force);
         let [y, rates] = [supports.displacements, supports.displacement_rates];
-        let total = shaft + self.shaft.moved(i, [y[0] + displaced[0], y[1] + displaced[1]]) + carriage;
-        let rate = self.shaft.compliance[i] + influence[0] * rates[0] + influence[1] * rates[1] + carriage_rate;
+        let moved = self.shaft.moved(i, [y[0] + displaced[0], y[1] + displaced[1]]);
+        let total = shaft + structure + moved + carriage;
+        let rate = compliance + founded + influence[0] * rates[0] + influence[1] * rates[1] + carriage_rate;
         let error = at.nose.error(at.diameter, total).0;
-        Ok(Deflection { force, supports, displaced, shaft, carriage, total, rate, error })
+        Ok(Deflection { force, supports, displaced, shaft, structure, carriage, total, rate, error })
     }
 
     /// Equilibrium with force feedback: a gap between nose and work takes depth off the cut, and the force with it, P =

@@ -11,7 +11,7 @@ use super::machine::{Machine, Moment};
 use super::rows::{self, ANGLE, BLANK, CHANGE, DIAMETER, X};
 use crate::process::{Failure, Rows};
 use crate::progress::Progress;
-use crate::solve::{Condensed, JointsError, Rest, ShaftError};
+use crate::solve::{Condensed, JointsError, ShaftError};
 
 /// The shaft as the machine holds it, condensed to tool positions in m.
 ///
@@ -21,7 +21,12 @@ pub fn condense(machine: &Machine, positions: &[f64]) -> Result<Condensed, Failu
     if let Some(failure) = &machine.failure {
         return Err(failure.clone());
     }
-    machine.shaft().condense(positions).map_err(Failure::from)
+    let shaft = machine.shaft();
+    let condensed = match machine.setup.foundation(positions) {
+        Some(foundation) => shaft.condense_on(positions, foundation),
+        None => shaft.condense(positions),
+    };
+    condensed.map_err(Failure::from)
 }
 
 /// The last pass on the mean of a round blank, at position number `i`, x (m), on a part.
@@ -206,26 +211,16 @@ fn place(machine: &Machine, rows: &Rows, row: usize) -> f64 {
     rows.get(X, row).unwrap_or(0.0).clamp(0.0, machine.setup.length())
 }
 
-/// Force of each steady rest at every tool position, N. By reciprocity the deflection at a rest while the
-/// tool is at x is that at x while a force stands at the rest.
+/// Force of each steady rest at every tool position, N.
 ///
 /// # Errors
 /// As [`condense`].
 pub fn rest_forces(machine: &Machine, positions: &[f64], deflections: &[Deflection]) -> Result<Vec<Vec<f64>>, Failure> {
-    let rests = &machine.setup.steady_rests;
-    if rests.is_empty() {
+    if machine.setup.steady_rests.is_empty() {
         return Ok(Vec::new());
     }
-    let all: Vec<f64> = positions.iter().copied().chain(rests.iter().map(|r| r.at)).collect();
-    let shaft = condense(machine, &all)?;
-    let forces = |(number, rest): (usize, Rest)| {
-        let shape = shaft.shape(number);
-        let force = |(d, unit): (&Deflection, f64)| {
-            rest.stiffness * (unit * d.force + shaft.moved(number, d.ends()) - rest.offset)
-        };
-        deflections.iter().zip(shape).map(force).collect()
-    };
-    Ok((positions.len()..).zip(machine.shaft().rests).map(forces).collect())
+    let tools: Vec<(f64, [f64; 2])> = deflections.iter().map(|d| (d.force, d.ends())).collect();
+    Ok(condense(machine, positions)?.rest_forces(&machine.shaft(), &tools))
 }
 
 impl From<ShaftError> for Failure {

@@ -4,6 +4,7 @@
 //! that moves the tool nose toward or away from the axis adds to it.
 
 mod advice;
+mod base;
 mod batch;
 pub(crate) mod cut;
 mod edge;
@@ -13,6 +14,7 @@ mod events;
 mod experiments;
 pub(crate) mod forward;
 mod heating;
+mod imported;
 mod lift_off;
 mod log;
 mod machine;
@@ -37,7 +39,7 @@ use crate::gcode::Workpiece;
 use crate::input::Reader;
 use crate::process::{
     Active, Advice, Answers, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Contradiction,
-    Coordinate, Definition, Failure, Forward, Limit, Making, Misplaced, NoLaw, Observable, Places, RADIUS_CHANGE,
+    Coordinate, Definition, Failure, Forward, Limit, Making, Misplaced, NoLaw, Observable, Odds, Places, RADIUS_CHANGE,
     Requirement, Rows, RunReport,
 };
 use crate::progress::Progress;
@@ -55,6 +57,7 @@ impl Definition for Turning {
     const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
+    const STARTING_STRUCTURE: Option<&'static str> = Some(include_str!("../../../models/lathe-on-bed.toml"));
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
     const IN_ORDER: Option<&'static str> = Some("part");
     const CARRIED_OVER: &'static [(&'static str, &'static str)] = &[
@@ -135,6 +138,10 @@ impl Definition for Turning {
 
     fn no_law(setup: &Setup, path: &str) -> Option<NoLaw> {
         cut::no_law(&setup.cut, path)
+    }
+
+    fn odds(setup: &Setup, effect: &str) -> Option<Odds> {
+        effects::odds(setup, effect)
     }
 
     fn contradiction(setup: &Setup, effect: &Active) -> Option<Contradiction> {

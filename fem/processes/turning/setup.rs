@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
+use super::base::Base;
 use super::batch;
 use super::cut::{Conditions, Cut};
 use super::edge::Edge;
 use super::heating::HeatedRods;
+use super::imported::Imported;
 use super::passes::{Blank, EarlierPass};
 use super::program::Programs;
 use super::schedule::Schedule;
@@ -14,7 +16,7 @@ use crate::element::{BeamPiece, Rectangle, Round};
 use crate::input::Reader;
 use crate::material::Material;
 use crate::process::{Making, Segment, estimates};
-use crate::solve::{Hold, Rest, Shaft};
+use crate::solve::{Foundation, Hold, Rest, Shaft};
 use crate::units::{LENGTH, STIFFNESS};
 
 /// Largest number of predicted points, rows of `profile.csv`, which take some 300 MB; beyond it a slip is more
@@ -46,7 +48,7 @@ pub enum BeamTheory {
 }
 
 /// Everything a turning model says but its effects. SI units.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Setup {
     /// The material of the shaft.
     pub material: Material,
@@ -62,6 +64,10 @@ pub struct Setup {
     pub guideway_spacing: Option<f64>,
     /// Springs under it.
     pub steady_rests: Vec<Rest>,
+    /// What supports and tool stand on, if the model tells of it.
+    pub base: Option<Arc<Base>>,
+    /// Their compliance, if it was measured.
+    pub imported: Option<Arc<Imported>>,
     /// Compliance of the tool holder, m/N; 0 without `[tool]`.
     pub holder_compliance: f64,
     /// Depth and force of the last pass.
@@ -122,6 +128,8 @@ impl Setup {
                 let spacing = spacing.positive().optional();
                 (kind, height, spacing, t.list("steady_rests", "springs under the shaft", |t, _| read_rest(t, length)))
             });
+        let base = Base::read(model, length, workholding.has_tailstock(), &steady_rests).map(Arc::new);
+        let imported = Imported::read(model, workholding.has_tailstock()).map(Arc::new);
         let (element_size, beam) = read_mesh(model, length);
         let holder_compliance =
             model.optional_table("tool", "the tool holder, a cantilever", |t| read_holder(t, beam)).unwrap_or(0.0);
@@ -154,6 +162,8 @@ impl Setup {
             centre_height,
             guideway_spacing,
             steady_rests,
+            base,
+            imported,
             holder_compliance,
             cut,
             passes,
@@ -231,6 +241,16 @@ impl Setup {
         let (low, high) = if (pass.from + pass.to).is_nan() { (f64::NAN, f64::NAN) } else { pass.ends() };
         let last = (self.positions - 1) as f64;
         (0..self.positions).map(|i| low + (high - low) * (i as f64 / last)).collect()
+    }
+
+    /// What supports and tool stand on, with the tool at each of the positions (m); `None` where that is rigid.
+    pub fn foundation(&self, positions: &[f64]) -> Option<Foundation> {
+        let drawn = self.base.as_ref().map(|base| base.foundation(positions));
+        let imported = self.imported.as_ref().map(|own| own.foundation(positions, self.steady_rests.len()));
+        match (drawn, imported) {
+            (Some(drawn), Some(imported)) => Some(drawn.on(&imported)),
+            (one, other) => one.or(other),
+        }
     }
 
     /// How the headstock holds the shaft's rotation when nothing tilts.

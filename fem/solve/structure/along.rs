@@ -1,15 +1,43 @@
-//! What a structure yields with at places along a chain of its members.
+//! What a structure yields with at places along a chain of its members, on which something stands.
 
-use nalgebra::{DMatrix, DVector, RowVector6};
+use nalgebra::{DMatrix, DVector, RowVector3, RowVector6};
 
+use super::displaced::Load;
 use super::factored::Factored;
-use super::{Direction, Freedom, Structure};
+use super::{Freedom, Structure, freedoms};
 
-/// Compliance along a chain of members, in one direction, and across to other freedoms.
+/// Members along x, and what stands on them: it is pushed along y at x, and stands at x + offset, turning with the member
+/// there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chain {
+    /// The members, by their numbers.
+    pub members: Vec<usize>,
+    /// From where it is pushed to where it stands, m.
+    pub offset: f64,
+}
+
+impl Chain {
+    /// Number in the chain and part of the member on which something that is pushed at x (m) stands; `None` beyond the ends.
+    fn place(&self, structure: &Structure, x: f64) -> Option<(usize, f64)> {
+        let part = |number: usize| {
+            let (ends, member) = &structure.members[self.members[number]];
+            let part = (x + self.offset - structure.nodes[ends[0]][0]) / member.span[0];
+            (-BEYOND..=1.0 + BEYOND).contains(&part).then_some((number, part.clamp(0.0, 1.0)))
+        };
+        (0..self.members.len()).find_map(part)
+    }
+
+    /// What a force (N) along y at x (m) does to the member on which its point of action stands.
+    pub fn load(&self, structure: &Structure, x: f64, force: f64) -> Option<Load> {
+        let (number, part) = self.place(structure, x)?;
+        Some(Load { member: self.members[number], part, force: [0.0, force, -self.offset * force] })
+    }
+}
+
+/// Compliance of what stands on a chain of members, as it is seen there and by other freedoms.
 pub struct Along<'s> {
     structure: &'s Structure,
-    members: Vec<usize>,
-    direction: Direction,
+    chain: &'s Chain,
     /// Compliance between the freedoms of each member's ends, and of these with the others.
     ends: Vec<DMatrix<f64>>,
     others: Vec<DMatrix<f64>>,
@@ -25,42 +53,32 @@ pub struct Seen {
 }
 
 impl<'s> Along<'s> {
-    /// The compliance along a chain of members, seen in a direction there and by some freedoms.
-    pub fn new(factored: &Factored<'s>, chain: &[usize], direction: Direction, others: &[Freedom]) -> Self {
-        let structure = factored.structure;
+    /// The compliance along a chain, and across to some freedoms.
+    pub fn new(factored: &'s Factored, chain: &'s Chain, others: &[Freedom]) -> Self {
+        let structure = factored.structure();
         let of = |member: &usize| {
-            let numbers = numbers(structure.members[*member].0);
-            let columns: Vec<Vec<f64>> = numbers.iter().map(|own| factored.under(*own)).collect();
+            let numbers = freedoms(structure.members[*member].0);
+            let columns: Vec<Vec<f64>> = numbers.iter().map(|own| factored.under(&[(*own, 1.0)])).collect();
             let ends = DMatrix::from_fn(6, 6, |i, j| columns[j][numbers[i].number()]);
             let others = DMatrix::from_fn(others.len(), 6, |i, j| columns[j][others[i].number()]);
             (ends, others)
         };
-        let (ends, others) = chain.iter().map(of).unzip();
-        Self { structure, members: chain.to_vec(), direction, ends, others }
+        let (ends, others) = chain.members.iter().map(of).unzip();
+        Self { structure, chain, ends, others }
     }
 
-    /// The place at x (m), on the first member of the chain that reaches there; `None` beyond its ends.
+    /// What is pushed at x (m); `None` where its stand is beyond the ends of the chain.
     pub fn at(&self, x: f64) -> Option<Seen> {
-        let part = |number: usize| {
-            let (ends, member) = &self.structure.members[self.members[number]];
-            let part = (x - self.structure.nodes[ends[0]][0]) / member.span[0];
-            (-BEYOND..=1.0 + BEYOND).contains(&part).then_some((number, part.clamp(0.0, 1.0)))
-        };
-        let (number, part) = (0..self.members.len()).find_map(part)?;
-        let inside = self.structure.members[self.members[number]].1.inside(part);
-        let way = self.direction as usize;
-        let follows: RowVector6<f64> = inside.follows.row(way).into_owned();
+        let (number, part) = self.chain.place(self.structure, x)?;
+        let inside = self.structure.members[self.chain.members[number]].1.inside(part);
+        // It moves with the member across, and with the member's turning times the way back from its stand.
+        let way = RowVector3::new(0.0, 1.0, -self.chain.offset);
+        let follows: RowVector6<f64> = way * inside.follows;
         let follows = DVector::from_iterator(6, follows.iter().copied());
-        let own = follows.dot(&(&self.ends[number] * &follows)) + inside.yields[(way, way)];
+        let own = follows.dot(&(&self.ends[number] * &follows)) + (way * inside.yields * way.transpose())[(0, 0)];
         Some(Seen { own, others: (&self.others[number] * &follows).iter().copied().collect() })
     }
 }
 
 /// Part of a member by which a place may lie beyond its ends: what is added up of decimals is rounded.
 const BEYOND: f64 = 1e-9;
-
-/// The freedoms of the ends of a member.
-fn numbers(ends: [usize; 2]) -> [Freedom; 6] {
-    let ways = [Direction::X, Direction::Y, Direction::Turn];
-    std::array::from_fn(|k| Freedom { node: ends[k / 3], direction: ways[k % 3] })
-}

@@ -5,9 +5,14 @@ use super::{Direction, Freedom};
 /// A structure that cannot be solved.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum StructureError {
-    /// Nothing resists a motion; the freedom that moves most in it.
-    #[error("nothing holds node {} {}", .0.node, way(.0.direction))]
-    Loose(Freedom),
+    /// Nothing resists a motion.
+    #[error("nothing holds node {} {}", at.node, way(at.direction))]
+    Loose {
+        /// The freedom that moves most in it.
+        at: Freedom,
+        /// How many nodes move along with it, as far or nearly so; 1 where it is alone.
+        nodes: usize,
+    },
     /// The factorisation did not fit into memory.
     #[error("out of memory in the factorisation of {unknowns} unknowns")]
     OutOfMemory {

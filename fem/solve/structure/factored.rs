@@ -16,16 +16,16 @@ const HELP: f64 = 1e-10;
 const ROUNDS: usize = 4;
 
 /// A structure whose stiffness is factored.
-pub struct Factored<'s> {
-    pub(super) structure: &'s Structure,
+pub struct Factored {
+    pub(super) structure: Structure,
     /// Unknown of each freedom that is not held.
     unknowns: Vec<Option<usize>>,
     count: usize,
     factor: Factor,
 }
 
-impl<'s> Factored<'s> {
-    pub(super) fn new(structure: &'s Structure) -> Result<Self, StructureError> {
+impl Factored {
+    pub(super) fn new(structure: Structure) -> Result<Self, StructureError> {
         let mut held = vec![false; 3 * structure.nodes.len()];
         structure.held.iter().for_each(|own| held[own.number()] = true);
         let mut count = 0;
@@ -37,9 +37,12 @@ impl<'s> Factored<'s> {
                 own
             })
             .collect();
-        let stiffness = assembled(structure, &unknowns, count);
+        let stiffness = assembled(&structure, &unknowns, count);
         let own: Vec<f64> = (0..count).map(|i| stiffness.values()[diagonal(&stiffness, i)]).collect();
-        let loose = |motion: &[f64]| StructureError::Loose(most(structure, &unknowns, motion));
+        let loose = |motion: &[f64]| {
+            let (at, nodes) = most(&structure, &unknowns, motion);
+            StructureError::Loose { at, nodes }
+        };
         if let Some(nothing) = own.iter().position(|own| *own <= 0.0) {
             let mut motion = vec![0.0; count];
             motion[nothing] = 1.0;
@@ -68,11 +71,18 @@ impl<'s> Factored<'s> {
         }
     }
 
-    /// Displacements of all freedoms under a unit load on one: u, v, θ of node i at 3i, 3i + 1, 3i + 2.
-    pub fn under(&self, load: Freedom) -> Vec<f64> {
+    /// What is factored.
+    pub fn structure(&self) -> &Structure {
+        &self.structure
+    }
+
+    /// Displacements of all freedoms under loads (N, N m) on some: u, v, θ of node i at 3i, 3i + 1, 3i + 2.
+    pub fn under(&self, loads: &[(Freedom, f64)]) -> Vec<f64> {
         let mut right = vec![0.0; self.count];
-        if let Some(unknown) = self.unknowns[load.number()] {
-            right[unknown] = 1.0;
+        for (at, load) in loads {
+            if let Some(unknown) = self.unknowns[at.number()] {
+                right[unknown] += load;
+            }
         }
         // What was factored is solved: the scratch is a vector, and memory for that there is.
         if self.factor.solve_in_place(&mut right).is_err() {
@@ -83,7 +93,7 @@ impl<'s> Factored<'s> {
 
     /// Compliance between freedoms, symmetric: the displacement of the first under a unit load on the second; m/N.
     pub fn compliance(&self, of: &[Freedom]) -> DMatrix<f64> {
-        let columns: Vec<Vec<f64>> = of.iter().map(|own| self.under(*own)).collect();
+        let columns: Vec<Vec<f64>> = of.iter().map(|own| self.under(&[(*own, 1.0)])).collect();
         DMatrix::from_fn(of.len(), of.len(), |i, j| 0.5 * (columns[j][of[i].number()] + columns[i][of[j].number()]))
     }
 }
@@ -139,8 +149,9 @@ fn softest(factor: &Factor, diagonal: &[f64]) -> (f64, Vec<f64>) {
     (ratio, motion)
 }
 
-/// The freedom that moves most in a motion; turning counts by what it moves at the structure's size.
-fn most(structure: &Structure, unknowns: &[Option<usize>], motion: &[f64]) -> Freedom {
+/// The freedom that moves most in a motion, turning counted by what it moves at the structure's size, and how many nodes
+/// move in its direction at least half as far.
+fn most(structure: &Structure, unknowns: &[Option<usize>], motion: &[f64]) -> (Freedom, usize) {
     let extent = |k: usize| {
         let of = |fold: fn(f64, f64) -> f64, start: f64| structure.nodes.iter().map(|own| own[k]).fold(start, fold);
         of(f64::max, f64::NEG_INFINITY) - of(f64::min, f64::INFINITY)
@@ -157,5 +168,7 @@ fn most(structure: &Structure, unknowns: &[Option<usize>], motion: &[f64]) -> Fr
     };
     let (along, turning) = (best(&[Direction::X, Direction::Y]), best(&[Direction::Turn]));
     // What turns as a whole also moves its nodes; where these stay, something turns in its place.
-    if along.0 > 1e-3 * turning.0 { along.1 } else { turning.1 }
+    let (most, at) = if along.0 > 1e-3 * turning.0 { along } else { turning };
+    let together = (0..structure.nodes.len()).filter(|node| moved(*node, at.direction) >= 0.5 * most);
+    (at, together.count())
 }

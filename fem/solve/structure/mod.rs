@@ -5,10 +5,12 @@
 //! products a place.
 
 mod along;
+mod displaced;
 mod error;
 mod factored;
 
-pub use along::{Along, Seen};
+pub use along::{Along, Chain, Seen};
+pub use displaced::{Displaced, Load};
 pub use error::StructureError;
 pub use factored::Factored;
 
@@ -36,9 +38,15 @@ pub struct Freedom {
 
 impl Freedom {
     /// Its number among all: u, v, θ of node i at 3i, 3i + 1, 3i + 2.
-    pub(super) fn number(self) -> usize {
+    pub fn number(self) -> usize {
         3 * self.node + self.direction as usize
     }
+}
+
+/// The freedoms of the ends of a member: u, v, θ of the first and of the second.
+fn freedoms(ends: [usize; 2]) -> [Freedom; 6] {
+    let ways = [Direction::X, Direction::Y, Direction::Turn];
+    std::array::from_fn(|k| Freedom { node: ends[k / 3], direction: ways[k % 3] })
 }
 
 /// A spring against the displacement of a node in one direction, from the ground or from another node.
@@ -70,7 +78,7 @@ impl Structure {
     ///
     /// # Errors
     /// Something can move without resistance, or memory does not suffice.
-    pub fn factored(&self) -> Result<Factored<'_>, StructureError> {
+    pub fn factored(self) -> Result<Factored, StructureError> {
         Factored::new(self)
     }
 }

@@ -62,7 +62,8 @@ fn a_straight_structure_is_a_shaft() {
     };
     let factored = structure.factored().unwrap();
     let ends = [freedom(0, Direction::Y), freedom(2, Direction::Y)];
-    let along = Along::new(&factored, &[0, 1], Direction::Y, &ends);
+    let chain = Chain { members: vec![0, 1], offset: 0.0 };
+    let along = Along::new(&factored, &chain, &ends);
     for (node, x) in [(0, 0.0), (1, 0.4), (2, 0.8), (3, 1.2), (4, 1.6)] {
         let plain = shaft.solve(&[(node, 1.0)]).unwrap().displacement;
         let seen = along.at(x).unwrap();
@@ -90,7 +91,7 @@ fn compliance_is_symmetric_and_positive() {
     let all: Vec<Freedom> = (0..4).flat_map(clamped).collect();
     let compliance = factored.compliance(&all);
     for (i, own) in all.iter().enumerate() {
-        let under = factored.under(*own);
+        let under = factored.under(&[(*own, 1.0)]);
         for (j, other) in all.iter().enumerate() {
             let size = (compliance[(i, i)] * compliance[(j, j)]).sqrt();
             assert!((under[other.number()] - compliance[(i, j)]).abs() < 1e-10 * size);
@@ -110,12 +111,40 @@ fn what_nothing_holds_is_named() {
     };
     let [x, y, far] = [spring(0, Direction::X), spring(0, Direction::Y), spring(2, Direction::Y)];
     assert_eq!(of(&[[0, 1], [1, 2]], &[x, y, far]), None);
-    // It turns about the first node, and the far end moves most.
-    assert_eq!(of(&[[0, 1], [1, 2]], &[x, y]), Some(StructureError::Loose(freedom(2, Direction::Y))));
+    // It turns about the first node, the far end moves most, and the middle half as far.
+    let turning = Some(StructureError::Loose { at: freedom(2, Direction::Y), nodes: 2 });
+    assert_eq!(of(&[[0, 1], [1, 2]], &[x, y]), turning);
     assert!(matches!(
         of(&[[0, 1], [1, 2]], &[y, far]),
-        Some(StructureError::Loose(Freedom { direction: Direction::X, .. }))
+        Some(StructureError::Loose { at: Freedom { direction: Direction::X, .. }, .. })
     ));
     // A node that no member joins.
-    assert!(matches!(of(&[[0, 1]], &[x, y, far]), Some(StructureError::Loose(_))));
+    assert!(matches!(of(&[[0, 1]], &[x, y, far]), Some(StructureError::Loose { .. })));
+}
+
+/// A force within a member, its line and its energy: the line passes through what the force moves, and half of force times
+/// way is what members and springs have taken up.
+#[test]
+fn a_force_within_a_member_does_the_work_that_is_taken_up() {
+    let nodes = vec![[0.0, 0.0], [0.7, 0.0], [1.1, 0.3], [0.2, -0.9]];
+    let members = [[0, 1], [1, 2], [2, 3]].map(|ends| member(&nodes, ends)).to_vec();
+    let springs = vec![Spring { at: freedom(0, Direction::Y), from: Some(3), stiffness: 3e7 }];
+    let factored = Structure { nodes, members, springs, held: clamped(3).to_vec() }.factored().unwrap();
+    for offset in [0.0, 0.05, -0.03] {
+        let chain = Chain { members: vec![0], offset };
+        let seen = Along::new(&factored, &chain, &[freedom(2, Direction::X)]).at(0.3).unwrap();
+        let load = chain.load(factored.structure(), 0.3, 500.0).unwrap();
+        let displaced = factored.displaced(&[], &[load]);
+        let line = displaced.line(0, 6);
+        let (members, springs) = displaced.energies();
+        let work: f64 = members.iter().chain(&springs).sum();
+        assert!((work / (0.5 * 500.0 * 500.0 * seen.own) - 1.0).abs() < 1e-10, "{offset}");
+        assert!((displaced.node(2)[0] / (500.0 * seen.others[0]) - 1.0).abs() < 1e-10);
+        let under = line.iter().find(|(place, _)| (place[0] - 0.3 - offset).abs() < 1e-12).unwrap();
+        let slope = (seen.own * 500.0 - under.1[1]).abs();
+        assert!(if offset == 0.0 { slope < 1e-15 } else { slope > 0.0 });
+        let ends = [line[0].1, line[6].1];
+        assert!((0..2).all(|k| (ends[0][k] - displaced.node(0)[k]).abs() < 1e-15));
+        assert!((0..2).all(|k| (ends[1][k] - displaced.node(1)[k]).abs() < 1e-15));
+    }
 }

@@ -12,6 +12,7 @@ mod joints;
 mod meetings;
 mod passes;
 mod rig;
+mod structure;
 mod time;
 
 use crate::validation::Case;
@@ -30,6 +31,7 @@ pub fn cases() -> Vec<Case> {
         events::cases(),
         heating::cases(),
         cross_check::cases(),
+        structure::cases(),
     ]
     .concat()
 }

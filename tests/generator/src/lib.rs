@@ -24,6 +24,7 @@ pub mod random;
 pub mod ring;
 pub mod rotary;
 pub mod stiffness;
+pub mod structure;
 pub mod thermal;
 pub mod trouble;
 mod tuning;

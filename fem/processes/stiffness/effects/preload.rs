@@ -8,7 +8,7 @@
 //! out: joints that differ, and friction that the preload itself brings.
 
 use super::super::machine::Effect;
-use crate::process::{Belongs, Odds, Parameter, UnitRole, nothing};
+use crate::process::{Belongs, Odds, Parameter, UnitRole};
 use crate::units::FORCE;
 
 /// `preload`.
@@ -25,7 +25,11 @@ pub static PRELOAD: Effect<1> = Effect {
         "contact-joint",
         "forces on both sides of where the curve bends: a preloaded joint softens, a contact stiffens",
     )],
-    needs: nothing,
+    // A stiffness that is still unknown is none yet, and that of no joint is infinite.
+    needs: |setup| match setup.stiffness.is_infinite() {
+        true => Err("needs a [joint] of its own beside a structure".into()),
+        false => Ok(()),
+    },
     act: |[force], machine| machine.curve.preload += force,
 };
 

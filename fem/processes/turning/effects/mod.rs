@@ -28,7 +28,7 @@ pub use force_feedback::contradiction;
 
 use super::machine::Machine;
 use super::setup::Setup;
-use crate::process::CatalogueEffect;
+use crate::process::{CatalogueEffect, Odds};
 
 /// The registry.
 pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
@@ -59,6 +59,16 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &offset_correction::OFFSET_CORRECTION,
     &insert_change::INSERT_CHANGE,
 ];
+
+/// Effects of units whose compliance a model has in a structure or a file.
+const DRAWN: [&str; 5] =
+    ["headstock-compliance", "headstock-contact", "tailstock-compliance", "tailstock-contact", "chuck-tilt"];
+
+/// Odds of effects that are not those of the catalogue: where that is known little else is left to give way.
+pub fn odds(setup: &Setup, effect: &str) -> Option<Odds> {
+    let is_known = (setup.base.is_some() || setup.imported.is_some()) && DRAWN.contains(&effect);
+    is_known.then_some(Odds::of(0.1, "what gives way there stands in the model, whose values are on trial"))
+}
 
 #[cfg(test)]
 pub(super) mod bench {

@@ -6,13 +6,15 @@ use crate::process::{Column, Figure, Table, first_extreme};
 use crate::solve::Condensed;
 use crate::units::{LENGTH, STIFFNESS};
 
-/// Parts that yield, each with a compliance of its own.
-pub const PARTS: [&str; 4] = ["shaft", "headstock", "tailstock", "carriage"];
+/// Parts that yield, each with a compliance of its own; the last where the model draws one.
+const PARTS: [&str; 5] = ["shaft", "headstock", "tailstock", "carriage", "structure"];
 
 /// Compliances at places under the force that acts there, m/N: secants where a joint is not a spring.
 pub struct Compliance {
     /// Of each of [`PARTS`] at every place.
-    parts: Vec<[f64; 4]>,
+    parts: Vec<[f64; 5]>,
+    /// Of these the machine has so many.
+    count: usize,
 }
 
 impl Compliance {
@@ -22,10 +24,12 @@ impl Compliance {
         let part = |(i, d): (usize, &Deflection)| {
             // What gives way, and not what stands out of line.
             let ([head, tail], y) = (shaft.influence[i], elastic.yielding(i, d.force).ok()?.displacements);
-            let all = [d.shaft, head * y[0], tail * y[1], d.carriage];
+            let all = [d.shaft, head * y[0], tail * y[1], d.carriage, d.structure];
             (d.force > 0.0).then(|| all.map(|y| y / d.force))
         };
-        Some(Self { parts: deflections.iter().enumerate().map(part).collect::<Option<_>>()? })
+        let is_founded = machine.setup.base.is_some() || machine.setup.imported.is_some();
+        let count = if is_founded { PARTS.len() } else { PARTS.len() - 1 };
+        Some(Self { parts: deflections.iter().enumerate().map(part).collect::<Option<_>>()?, count })
     }
 
     /// ω at every place, m/N.
@@ -42,7 +46,8 @@ impl Compliance {
         if most <= 0.0 {
             return None;
         }
-        let shares: Vec<(&str, f64)> = PARTS.into_iter().zip(self.parts[weakest].map(|part| part / most)).collect();
+        let shares: Vec<(&str, f64)> =
+            PARTS.into_iter().zip(self.parts[weakest].map(|part| part / most)).take(self.count).collect();
         let told = shares.iter().filter(|(_, share)| *share > 0.0005);
         let told: Vec<String> = told.map(|(name, share)| format!("{name} {:.1} %", 100.0 * share)).collect();
         let weak = format!(
@@ -66,7 +71,7 @@ impl Compliance {
         let um_per_kn = |si: Vec<f64>| si.iter().map(|v| 1e9 * v).collect();
         let column = |name: &'static str, si: Vec<f64>| Column::numbers(name, Some("um/kN"), um_per_kn(si));
         let mut columns = vec![Column::quantities("x", LENGTH, positions)];
-        for (i, name) in PARTS.into_iter().enumerate() {
+        for (i, name) in PARTS.into_iter().enumerate().take(self.count) {
             columns.push(column(name, self.parts.iter().map(|parts| parts[i]).collect()));
         }
         let whole = self.whole();

@@ -9,6 +9,7 @@ mod form;
 pub mod roundness;
 mod shapes;
 mod sketch;
+mod structure;
 
 use self::compliance::Compliance;
 use self::roundness::Roundness;
@@ -45,6 +46,8 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     figures.push(forces(deflections, roundness.as_ref()));
     let compliance = Compliance::of(machine, &shaft, deflections);
     figures.extend(compliance.as_ref().and_then(|c| c.figure(positions)));
+    let shares = structure::shares(machine, &shaft, positions, deflections);
+    figures.extend(shares.as_ref().and_then(|shares| structure::figure(shares, positions)));
     figures.push(schedule(setup));
     let (worn, nearly_worn) = edge::figure(machine).unzip();
     figures.extend(worn);
@@ -55,6 +58,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         profile: profile(setup, rows, errors),
         tables: (refinement.iter().map(|r| ("passes", r.table(positions))))
             .chain(compliance.iter().map(|c| ("compliance", c.table(positions))))
+            .chain(shares.iter().map(|shares| ("structure", structure::table(shares, positions))))
             .chain(roundness.iter().map(|r| ("roundness", r.table(positions))))
             .collect(),
         figures,

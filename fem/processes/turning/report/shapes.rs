@@ -7,6 +7,7 @@ use super::super::forward::{condense, deflections, rest_forces};
 use super::super::machine::Machine;
 use super::super::setup::Setup;
 use super::bodies::Bodies;
+use super::structure;
 use crate::process::{Animation, Arrow, Cell, Failure, Field, Forward, Frame, Grid, View};
 use crate::progress::Progress;
 use crate::solve::{Condensed, Rest};
@@ -185,10 +186,19 @@ impl Scene {
             grid.points.push(marker.at);
             displacement.push([0.0, marker.displacement, 0.0]);
             force.push([0.0, marker.force, 0.0]);
-            diameter.push(0.0);
-            moment.push(0.0);
-            stress.push(0.0);
-            error.push(0.0);
+        }
+        let mut bodies = self.bodies.at(supports.end);
+        let place = (tool, self.tools[tool]);
+        if let Some(base) = &self.setup.base
+            && let Some(displaced) = structure::standing(base, &self.shaft, place, &pass.deflections[tool])
+        {
+            bodies.extend(base.drawn.bodies(grid.points.len() as u32));
+            displacement.extend(base.drawn.draw(&displaced, &mut grid));
+            force.resize(displacement.len(), [0.0; 3]);
+        }
+        // What is not on the shaft has nothing of it.
+        for field in [&mut diameter, &mut moment, &mut stress, &mut error] {
+            field.resize(grid.points.len(), 0.0);
         }
         grid.point_fields = vec![
             Field::vector("displacement", LENGTH, displacement),
@@ -211,7 +221,7 @@ impl Scene {
             time,
             caption: format!("{of}tool at x = {:.0}, {:.2} after the start", LENGTH.shown(x), TIME.shown(time)),
             arrows: supports.clone().map(arrow).chain([nose]).collect(),
-            bodies: self.bodies.at(supports.end),
+            bodies,
             grid,
         }
     }
@@ -219,8 +229,8 @@ impl Scene {
     /// Places of the nodes and their deflections, m. One of them stands under the tool, where the line has its kink.
     fn line(&self, pass: &Pass, tool: usize) -> Vec<(f64, f64)> {
         let deflection = &pass.deflections[tool];
-        let unit = self.shaft.shape(tool);
-        let at = |i: usize| unit[i] * deflection.force + self.shaft.moved(i, deflection.ends());
+        let all = self.shaft.line(tool, deflection.force, deflection.ends());
+        let at = |i: usize| all[i];
         let (x, first) = (self.tools[tool], self.tools.len());
         let mut line: Vec<(f64, f64)> = self.nodes.iter().enumerate().map(|(i, x)| (*x, at(first + i))).collect();
         if let Some(node) = self.node_for(x) {
@@ -241,18 +251,20 @@ impl Scene {
     fn markers(&self, pass: &Pass, tool: usize) -> Vec<Marker> {
         let deflection = &pass.deflections[tool];
         let supports = &deflection.supports;
-        let ends = deflection.ends();
+        let supports_at = self.shaft.supports_under(tool, deflection.force, deflection.ends());
+        let ends = [supports_at[0], supports_at[1]];
         let on_axis = |x, displacement, force| Marker { at: [x, 0.0, 0.0], displacement, force };
         let mut markers = vec![on_axis(0.0, ends[0], -supports.forces[0])];
         if self.setup.workholding.has_tailstock() {
             markers.push(on_axis(self.setup.length(), ends[1], -supports.forces[1]));
         }
-        for (rest, forces) in self.rests.iter().zip(&pass.rests) {
-            markers.push(on_axis(rest.at, rest.offset + forces[tool] / rest.stiffness, -forces[tool]));
+        for ((rest, forces), foot) in self.rests.iter().zip(&pass.rests).zip(&supports_at[3..]) {
+            markers.push(on_axis(rest.at, foot + rest.offset + forces[tool] / rest.stiffness, -forces[tool]));
         }
         let x = self.tools[tool];
         let nose = [x, -0.5 * self.setup.diameter(x), 0.0];
-        markers.push(Marker { at: nose, displacement: -deflection.carriage, force: deflection.force });
+        let work = self.shaft.line(tool, deflection.force, deflection.ends())[tool];
+        markers.push(Marker { at: nose, displacement: work - deflection.total, force: deflection.force });
         markers
     }
 

@@ -3,6 +3,7 @@
 use super::super::elastic::Deflection;
 use super::super::forward::condense;
 use super::super::machine::Machine;
+use super::structure;
 use crate::joint::Joint;
 use crate::process::{Failure, Part, Sketch};
 use crate::units::{FORCE, LENGTH, STIFFNESS};
@@ -22,13 +23,16 @@ pub fn sketch(machine: &Machine, positions: &[f64], deflections: &[Deflection]) 
     let nodes = (0..=NODES).map(|i| length * i as f64 / NODES as f64);
     let all: Vec<f64> = std::iter::once(tool).chain(nodes).collect();
     let shaft = condense(machine, &all)?;
-    let unit = shaft.shape(0);
-    let [head, tail] = deflection.supports.displacements;
-    let bent = |i: usize| {
-        let rigid = shaft.influence[i][0] * head + shaft.influence[i][1] * tail;
-        ([all[i], 0.0], [0.0, unit[i] * deflection.force + rigid])
-    };
+    let line = shaft.line(0, deflection.force, deflection.supports.displacements);
+    // What stands out of line is there without the force too.
+    let before = shaft.line(0, 0.0, [0.0; 2]);
+    let bent = |i: usize| ([all[i], 0.0], [0.0, line[i] - before[i]]);
     let mut parts = Vec::new();
+    if let Some(base) = &setup.base
+        && let Some(displaced) = structure::standing(base, &shaft, (0, tool), deflection)
+    {
+        parts.extend(base.drawn.sketch(&displaced));
+    }
     let mut from = 0.0;
     for segment in &setup.segments {
         let (to, radius) = (from + segment.length, 0.5 * segment.section.diameter);
@@ -49,9 +53,12 @@ pub fn sketch(machine: &Machine, positions: &[f64], deflections: &[Deflection]) 
     };
     let radius = |x: f64| 0.5 * setup.diameter(x);
     let up = [0.0, 1.0];
-    parts.push(held([0.0, radius(0.0)], up, &machine.headstock, "headstock", head_force));
-    if setup.workholding.has_tailstock() {
-        parts.push(held([length, radius(length)], up, &machine.tailstock, "tailstock", tail_force));
+    // On a structure they are drawn with it.
+    if setup.base.is_none() {
+        parts.push(held([0.0, radius(0.0)], up, &machine.headstock, "headstock", head_force));
+        if setup.workholding.has_tailstock() {
+            parts.push(held([length, radius(length)], up, &machine.tailstock, "tailstock", tail_force));
+        }
     }
     for rest in &setup.steady_rests {
         let label = format!("rest, {:.1}", STIFFNESS.shown(rest.stiffness));

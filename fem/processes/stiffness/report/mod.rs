@@ -1,11 +1,15 @@
 //! The report of a run: displacements as they are predicted, and the mechanics of the joint behind them.
 
+mod largest;
+mod structure;
+
+use self::largest::largest;
 use super::curve::{Branch, Curve};
 use super::forward;
 use super::machine::Machine;
 use super::rows::{BRANCH, COORDINATES, FORCE_OF_ROW, OBSERVABLES, along, branch};
 use super::setup::Loading;
-use crate::process::{Column, Datum, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme};
+use crate::process::{Column, Datum, Failure, Figure, Forward, Plot, Rows, RunReport, Table};
 use crate::units::{FORCE, MICRO, STIFFNESS, WORK};
 
 /// Part of the largest force at which the tangent is told once the joint has begun to move: under no force
@@ -18,6 +22,9 @@ const BEGUN: f64 = 0.02;
 /// A displacement is not believable.
 pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
     let (curve, displacements) = (&machine.curve, forward.prediction);
+    if let Some(base) = &machine.setup.base {
+        return Ok(structure::report(machine, base, forward));
+    }
     let (up, down) = displacements.split_at(displacements.len() / 2);
     Ok(RunReport {
         profile: profile(forward.programme, displacements),
@@ -67,18 +74,9 @@ fn tangents(machine: &Machine, forward: &Forward) -> Result<Table, Failure> {
 
 /// Displacements of another joint in these rows, the effects that are formulas acting on it too, m.
 fn observed(curve: &Curve, forward: &Forward, rows: &Rows) -> Vec<f64> {
-    let mut displacements = forward::observe(curve, rows);
+    let mut displacements = forward::of_joint(curve, rows);
     forward.add_formulas(rows, &mut displacements);
     displacements
-}
-
-fn largest(forward: &Forward) -> Figure {
-    let row = first_extreme(forward.prediction, f64::gt);
-    let (value, force) = (forward.prediction[row], forward.programme.columns[FORCE_OF_ROW][row]);
-    Figure::new("largest", "largest displacement")
-        .quantity("value", MICRO, value)
-        .quantity("force", FORCE, force)
-        .line(format!("{:+.3} at {:.1}", MICRO.shown(value), FORCE.shown(force)))
 }
 
 /// The force at which loading has set the joint moving, N.

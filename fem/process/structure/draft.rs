@@ -1,0 +1,171 @@
+//! A structure in the making: as it is drawn, with nodes put in where something stands within a member.
+
+use crate::input::{Name, Reader};
+use crate::solve::structure::{Direction, Factored, Freedom, Structure, StructureError};
+use crate::units::LENGTH;
+
+/// What something stands on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stand {
+    /// A node, by its number.
+    Node(usize),
+    /// Members along x, by their names: it stands at its own place on them.
+    Along(Vec<Name>),
+}
+
+/// A place at which something pushes or looks: at a node, against another one or the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Port {
+    /// The node and the direction.
+    pub at: Freedom,
+    /// The node against which it stands; `None` is the ground.
+    pub from: Option<usize>,
+}
+
+impl Port {
+    /// What a force (N) does that acts between its two sides.
+    pub fn forces(&self, force: f64) -> Vec<(Freedom, f64)> {
+        let back = self.from.map(|node| (Freedom { node, ..self.at }, -force));
+        std::iter::once((self.at, force)).chain(back).collect()
+    }
+}
+
+/// A structure as a model draws it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Draft {
+    pub(super) structure: Structure,
+    pub(super) nodes: Vec<Name>,
+    /// Of every member of the structure, that of which it is a piece.
+    pub(super) members: Vec<Name>,
+    /// Width and height of every member, as it is drawn, m.
+    pub(super) sizes: Vec<[f64; 2]>,
+    /// Of every spring.
+    pub(super) joints: Vec<Name>,
+}
+
+/// A structure that is factored, with the names of its parts.
+pub struct Drawn {
+    /// Of every node; one that was put into a member has the member's.
+    pub nodes: Vec<Name>,
+    /// The structure.
+    pub factored: Factored,
+    /// Of every member of the structure, that of which it is a piece.
+    pub members: Vec<Name>,
+    /// Width across the plane and height in it of every member, m.
+    pub sizes: Vec<[f64; 2]>,
+    /// Of every spring.
+    pub joints: Vec<Name>,
+}
+
+impl Draft {
+    /// Number of a node by its name.
+    pub fn node(&self, name: &str) -> Option<usize> {
+        self.nodes.iter().position(|own| own.as_str() == name)
+    }
+
+    /// Whether there is a member of this name.
+    pub fn has_member(&self, name: &str) -> bool {
+        self.members.iter().any(|own| own.as_str() == name)
+    }
+
+    /// The pieces of some members, by their numbers in the structure.
+    pub fn pieces(&self, members: &[Name]) -> Vec<usize> {
+        let of = |name: &Name| {
+            let pieces = self.members.iter().enumerate().filter(move |(_, own)| *own == name);
+            pieces.map(|(number, _)| number).collect::<Vec<_>>()
+        };
+        members.iter().flat_map(of).collect()
+    }
+
+    /// The stretches of x that some members reach along, m, with rising x.
+    pub fn reach(&self, members: &[Name]) -> Vec<(f64, f64)> {
+        let ends = |piece: usize| self.structure.members[piece].0.map(|node| self.structure.nodes[node][0]);
+        let mut pieces: Vec<[f64; 2]> = self.pieces(members).into_iter().map(ends).collect();
+        pieces.iter_mut().for_each(|x| x.sort_by(f64::total_cmp));
+        pieces.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let mut reach: Vec<(f64, f64)> = Vec::new();
+        for [low, high] in pieces {
+            match reach.last_mut().filter(|last| low <= last.1 + NEAR) {
+                Some(last) => last.1 = last.1.max(high),
+                None => reach.push((low, high)),
+            }
+        }
+        reach
+    }
+
+    /// The node at x (m) on what something stands on, which is put in where there is none; `None` beyond its ends.
+    pub fn node_at(&mut self, stand: &Stand, x: f64) -> Option<usize> {
+        let members = match stand {
+            Stand::Node(node) => return Some(*node),
+            Stand::Along(members) => members,
+        };
+        for piece in self.pieces(members) {
+            let (ends, member) = self.structure.members[piece];
+            let part = (x - self.structure.nodes[ends[0]][0]) / member.span[0];
+            let near = NEAR / member.length();
+            if part.abs() <= near {
+                return Some(ends[0]);
+            }
+            if (part - 1.0).abs() <= near {
+                return Some(ends[1]);
+            }
+            if (0.0..1.0).contains(&part) {
+                return Some(self.split(piece, part));
+            }
+        }
+        None
+    }
+
+    /// Puts a node into a member, at a part of its length.
+    fn split(&mut self, piece: usize, part: f64) -> usize {
+        let Structure { nodes, members, .. } = &mut self.structure;
+        let ([a, b], member) = members[piece];
+        let middle = nodes.len();
+        nodes.push([0, 1].map(|k| nodes[a][k] + part * member.span[k]));
+        let of = |part: f64| crate::element::Member { span: member.span.map(|own| own * part), ..member };
+        members[piece] = ([a, middle], of(part));
+        members.push(([middle, b], of(1.0 - part)));
+        self.nodes.push(self.members[piece].clone());
+        self.members.push(self.members[piece].clone());
+        self.sizes.push(self.sizes[piece]);
+        middle
+    }
+
+    /// Assembles and factors; what holds nothing is told at the table that is read.
+    pub(super) fn factored(self, t: &Reader) -> Option<Drawn> {
+        let Self { structure, nodes, members, sizes, joints } = self;
+        let places = structure.nodes.clone();
+        match structure.factored() {
+            Ok(factored) => Some(Drawn { nodes, factored, members, sizes, joints }),
+            Err(StructureError::Loose { at, nodes: together }) => {
+                let node = &nodes[at.node];
+                let (moves, along) = match at.direction {
+                    Direction::X => ("move along x", "x"),
+                    Direction::Y => ("move along y", "y"),
+                    Direction::Turn => ("turn", "turning"),
+                };
+                let [x, y] = places[at.node].map(|own| LENGTH.format(own));
+                let message = match together {
+                    1 => format!("nothing holds `{node}` at ({x}, {y}): it can {moves}"),
+                    _ => format!(
+                        "nothing holds `{node}` at ({x}, {y}) and {} nodes more: they can {moves}",
+                        together - 1
+                    ),
+                };
+                let help = format!(
+                    "name a node in `clamped` or `pinned`, or add a joint, [structure.NAME] with at = \"{node}\", along = \
+                     \"{along}\" and its stiffness"
+                );
+                t.problem("", message, help);
+                None
+            }
+            Err(error) => {
+                t.problem("", error.to_string(), "draw it with fewer nodes");
+                None
+            }
+        }
+    }
+}
+
+/// Distance within which two places are one, m: sums of decimals are rounded.
+pub const NEAR: f64 = 1e-9;

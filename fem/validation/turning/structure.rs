@@ -1,0 +1,154 @@
+//! A shaft on a structure: closed forms of beams and frames, and the whole machine as another program assembles it.
+
+use super::rig::*;
+use crate::validation::{Case, Tolerance};
+
+/// A frame of some ten unknowns, whose stiffnesses lie six powers of ten apart.
+const FRAME: Tolerance = Tolerance::Relative(1e-9);
+/// Values of another program, printed to 1e-9 um.
+const PRINTED: Tolerance = Tolerance::Relative(1e-10);
+
+/// The lathe of the models: its tables, and its effect.
+fn on_bed() -> (String, &'static str) {
+    let text = include_str!("../../../models/lathe-on-bed.toml");
+    let tables = text.split("[effects").next().unwrap_or_default();
+    let own = |line: &&str| !line.starts_with("title") && !line.starts_with("process");
+    let tables: Vec<&str> = tables.lines().filter(own).collect();
+    (tables.join("\n"), "[carriage-compliance]\nstiffness = \"80 N/um\"")
+}
+
+const STATICS: &str = "beams and frames by statics and slope deflection, with shear";
+const OPENSEES: &str =
+    "OpenSees 3.7.1: machine, shaft and carriage as one frame (tests/validation/opensees/lathe_on_bed.py)";
+
+/// E and κG/G of the structures below: steel, solid, 60 mm square.
+struct Bar {
+    ea: f64,
+    ei: f64,
+    shear: f64,
+}
+
+fn bar() -> Bar {
+    let (e, nu, side) = (210e9, 0.3, 0.06f64);
+    let area = side * side;
+    let kappa = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
+    Bar { ea: e * area, ei: e * side.powi(4) / 12.0, shear: kappa * e / (2.0 * (1.0 + nu)) * area }
+}
+
+pub fn cases() -> Vec<Case> {
+    [bed(), overhang(), portal(), machine()].concat()
+}
+
+/// What a structure adds to the gap at x (m) under 400 N on the uniform shaft between centres, m.
+fn added(structure: &str, x: f64) -> f64 {
+    let text = UNIFORM.replace("HELD", "centres");
+    gap(&lathe(&format!("{text}\n[structure]\nmaterial = \"steel\"\n{structure}"), ""), x) - gap(&lathe(&text, ""), x)
+}
+
+fn deflected(name: String, pair: (f64, f64)) -> Case {
+    row(name, "deflection", (pair.0, pair.1, "m"), FRAME, STATICS)
+}
+
+/// Supports that stand still, and a tool that travels along a beam on two of them.
+fn bed() -> Vec<Case> {
+    const BED: &str = r#"
+        pinned = ["left", "right"]
+        clamped = ["nose", "centre"]
+        nodes = { left = ["-100 mm", "-200 mm"], right = ["700 mm", "-200 mm"], nose = ["0 mm", "0 mm"], centre = ["500 mm", "0 mm"] }
+        ports = { headstock = "nose", tailstock = "centre", tool = "bed" }
+        bed = { between = ["left", "right"], width = "60 mm", height = "60 mm" }
+    "#;
+    let Bar { ei, shear, .. } = bar();
+    let length = 0.8;
+    let at = |x: f64| {
+        let (a, b) = (x + 0.1, 0.7 - x);
+        let yields = (a * b).powi(2) / (3.0 * ei * length) + a * b / (shear * length);
+        deflected(format!("tool on a bed on two feet, x = {:.0} mm", 1e3 * x), (400.0 * yields, added(BED, x)))
+    };
+    [0.0, 0.2, 0.3, 0.5].map(at).to_vec()
+}
+
+/// The nose at the end of a spindle that is clamped in its last bearing.
+fn overhang() -> Vec<Case> {
+    const OVERHANG: &str = r#"
+        clamped = ["bearing", "centre", "slide"]
+        nodes = { bearing = ["-150 mm", "0 mm"], nose = ["0 mm", "0 mm"], centre = ["500 mm", "0 mm"], slide = ["0 mm", "-200 mm"] }
+        ports = { headstock = "nose", tailstock = "centre", tool = "slide" }
+        spindle = { between = ["bearing", "nose"], width = "60 mm", height = "60 mm" }
+    "#;
+    let Bar { ei, shear, .. } = bar();
+    let yields = 0.15f64.powi(3) / (3.0 * ei) + 0.15 / shear;
+    let at = |x: f64| {
+        let share = 1.0 - x / 0.5;
+        let name = format!("nose on an overhanging spindle, x = {:.0} mm", 1e3 * x);
+        deflected(name, (400.0 * share * share * yields, added(OVERHANG, x)))
+    };
+    [0.0, 0.1, 0.4].map(at).to_vec()
+}
+
+/// The headstock in the middle of a portal frame with clamped feet: its corners turn by θ = (QL/8)/(2EI/L + k), and the
+/// middle sinks by QL³/192EI + QL/4κGA + θL/4 and what the columns shorten. k is what a clamped column resists turning with,
+/// 4EI/h of slender ones, less what the girder yields to its thrust: H = sθ − tu, u = HL/2EA.
+fn portal() -> Vec<Case> {
+    const PORTAL: &str = r#"
+        clamped = ["left-foot", "right-foot", "centre", "slide"]
+        ports = { headstock = "nose", tailstock = "centre", tool = "slide" }
+        left-column = { between = ["left-foot", "left"], width = "60 mm", height = "60 mm" }
+        left-girder = { between = ["left", "nose"], width = "60 mm", height = "60 mm" }
+        right-girder = { between = ["nose", "right"], width = "60 mm", height = "60 mm" }
+        right-column = { between = ["right-foot", "right"], width = "60 mm", height = "60 mm" }
+        [structure.nodes]
+        left-foot = ["-300 mm", "400 mm"]
+        left = ["-300 mm", "0 mm"]
+        nose = ["0 mm", "0 mm"]
+        right = ["300 mm", "0 mm"]
+        right-foot = ["300 mm", "400 mm"]
+        centre = ["500 mm", "0 mm"]
+        slide = ["0 mm", "-200 mm"]
+    "#;
+    let Bar { ea, ei, shear } = bar();
+    let (l, h) = (0.6, 0.4);
+    let phi = 12.0 * ei / (shear * h * h);
+    let [s, t] = [6.0 * ei / (h * h), 12.0 * ei / h.powi(3)].map(|slender| slender / (1.0 + phi));
+    let shortens = 0.5 * l / ea;
+    let column = 4.0 * ei / h * (1.0 + phi / 4.0) / (1.0 + phi) - s * s * shortens / (1.0 + t * shortens);
+    let turns = l / 8.0 / (2.0 * ei / l + column);
+    let sinks = l.powi(3) / (192.0 * ei) + l / (4.0 * shear) + turns * l / 4.0 + 0.5 * h / ea;
+    let at = |x: f64| {
+        let share = 1.0 - x / 0.5;
+        let name = format!("headstock on a portal frame, x = {:.0} mm", 1e3 * x);
+        deflected(name, (400.0 * share * share * sinks, added(PORTAL, x)))
+    };
+    [0.0, 0.25].map(at).to_vec()
+}
+
+/// The lathe on its bed, held in several ways.
+fn machine() -> Vec<Case> {
+    const PLACES: [f64; 5] = [0.0, 0.102, 0.306, 0.45, 0.6];
+    let (on_bed, effects) = on_bed();
+    let chuck = on_bed.replace("type = \"centres\"", "type = \"chuck-and-centre\"");
+    let rest = (chuck
+        .replace("[workholding]", "[workholding]\nsteady_rests = [{ at = \"300 mm\", stiffness = \"30 N/um\" }]"))
+    .replace("[structure.ports]", "[structure.ports]\nrests = \"bed-b\"");
+    let beside = on_bed.replace("[structure.ports]", "[structure.ports]\ntool_offset = \"-120 mm\"");
+    let held: [(&str, &str, [f64; 5]); 4] = [
+        ("between centres", &on_bed, [22.010204469, 52.219645799, 94.345781768, 72.431523244, 27.920609122]),
+        ("in chuck and centre", &chuck, [21.217183920, 35.780794614, 66.206822056, 59.326882143, 27.788748340]),
+        (
+            "in chuck and centre, on a rest",
+            &rest,
+            [20.002141520, 28.002448174, 30.806435524, 36.425139971, 27.304955090],
+        ),
+        ("carriage 120 mm beside", &beside, [21.534372294, 51.973192108, 94.475015822, 72.759263319, 28.396441297]),
+    ];
+    let rows = |(name, text, expected): &(&str, &str, [f64; 5])| {
+        let lathe = lathe(text, effects);
+        let at = |(x, expected): (&f64, &f64)| {
+            let computed = lathe.as_ref().map_or(f64::NAN, |lathe| 1e6 * observed(lathe, *x, &[]));
+            let name = format!("lathe on its bed {name}, x = {:.0} mm", 1e3 * x);
+            row(name, "diameter error", (*expected, computed, "um"), PRINTED, OPENSEES)
+        };
+        PLACES.iter().zip(expected).map(at).collect::<Vec<_>>()
+    };
+    held.iter().flat_map(rows).collect()
+}
