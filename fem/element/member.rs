@@ -43,6 +43,12 @@ impl Member {
         self.span[0].hypot(self.span[1])
     }
 
+    /// A part of its length.
+    #[must_use]
+    pub fn piece(&self, part: f64) -> Self {
+        Self { span: self.span.map(|own| own * part), ..*self }
+    }
+
     /// Exact stiffness K (6 × 6, symmetric), N/m, N, N m.
     pub fn stiffness(&self) -> EndStiffness {
         let (bar, beam) = (self.bar().stiffness(), self.beam().stiffness());
@@ -67,8 +73,7 @@ impl Member {
             (0..3).for_each(|i| follows[(i, i + if part <= 0.0 { 0 } else { 3 })] = 1.0);
             return Inside { follows, yields: Matrix3::zeros() };
         }
-        let piece = |length: f64| Self { span: self.span.map(|s| s * length), ..*self }.stiffness();
-        let (before, after) = (piece(part), piece(1.0 - part));
+        let (before, after) = (self.piece(part).stiffness(), self.piece(1.0 - part).stiffness());
         let own = before.fixed_view::<3, 3>(3, 3) + after.fixed_view::<3, 3>(0, 0);
         let yields = own.try_inverse().unwrap_or_else(Matrix3::zeros);
         let mut held = SMatrix::<f64, 3, 6>::zeros();

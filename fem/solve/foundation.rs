@@ -144,22 +144,13 @@ impl Founded {
         &self.foundation.supports * DVector::from_column_slice(own) - DVector::from_column_slice(cross)
     }
 
-    /// Influence of headstock and tailstock.
-    pub(super) fn influence(&self, position: usize) -> [f64; 2] {
-        let shares = self.shares(position);
-        [shares[0], shares[1]]
-    }
-
-    /// What it adds to the compliance at a position, m/N.
-    pub(super) fn compliance(&self, position: usize) -> f64 {
+    /// Influence of headstock and tailstock, what it adds to the compliance (m/N), and the deflection by supports out of line
+    /// (m), at a position.
+    pub(super) fn at(&self, position: usize) -> ([f64; 2], f64, f64) {
         let (own, cross) = (self.response.at(position), &self.foundation.cross[position]);
-        let by_supports = self.follows(position).dot(&self.shares(position));
-        self.foundation.tool[position] - dot(own, cross) + by_supports
-    }
-
-    /// Deflection by supports out of line, m.
-    pub(super) fn bent(&self, position: usize) -> f64 {
-        self.response.bent[position] + self.follows(position).dot(&self.bent_forces)
+        let (shares, follows) = (self.shares(position), self.follows(position));
+        let compliance = self.foundation.tool[position] - dot(own, cross) + follows.dot(&shares);
+        ([shares[0], shares[1]], compliance, self.response.bent[position] + follows.dot(&self.bent_forces))
     }
 
     /// Displacements of all supports with the tool's force (N) at a position, and joints that have moved headstock and
@@ -263,7 +254,7 @@ mod tests {
             crate::solve::solve_joints(&joints, shaft.influence[0], &shaft.constraint, (1.0, shaft.bent_forces), None);
         let ends = supports.unwrap().displacements;
         let line = shaft.line(0, 1.0, ends)[0];
-        let gap = shaft.compliance[0] + shaft.foundation_compliance(0) + shaft.moved(0, ends);
+        let gap = shaft.compliance[0] + shaft.foundation_compliance[0] + shaft.moved(0, ends);
         // Work and tool apart, by way of the supports.
         let moved = shaft.supports_under(0, 1.0, ends);
         let reactions = shaft.reactions_under(0, 1.0, ends).unwrap();

@@ -77,6 +77,8 @@ pub struct Condensed {
     rests: Vec<u32>,
     /// Deflection under the tool on rigid supports, m/N, per position.
     pub compliance: Vec<f64>,
+    /// What the foundation adds to it, m/N, per position.
+    pub foundation_compliance: Vec<f64>,
     /// Deflection at each position per unit displacement of headstock and tailstock; equally the part of the
     /// tool's force that each takes when both are rigid.
     pub influence: Vec<[f64; 2]>,
@@ -131,6 +133,7 @@ impl Shaft {
             left,
             right,
             bent: vec![0.0; cuts.len()],
+            foundation_compliance: vec![0.0; cuts.len()],
             cuts,
             rests,
             compliance,
@@ -156,8 +159,9 @@ impl Shaft {
     pub fn condense_on(&self, positions: &[f64], foundation: Foundation) -> Result<Condensed, ShaftError> {
         let mut condensed = self.condense(positions)?;
         let founded = Founded::new(foundation, condensed.response(self));
-        condensed.influence = (0..positions.len()).map(|i| founded.influence(i)).collect();
-        condensed.bent = (0..positions.len()).map(|i| founded.bent(i)).collect();
+        for i in 0..positions.len() {
+            (condensed.influence[i], condensed.foundation_compliance[i], condensed.bent[i]) = founded.at(i);
+        }
         (condensed.constraint, condensed.bent_forces) = (founded.constraint(), founded.bent_forces());
         condensed.founded = Some(founded);
         Ok(condensed)
@@ -423,11 +427,6 @@ impl Condensed {
     /// moved (m).
     pub fn moved(&self, i: usize, ends: [f64; 2]) -> f64 {
         self.bent[i] + self.influence[i][0] * ends[0] + self.influence[i][1] * ends[1]
-    }
-
-    /// What the foundation adds to the compliance under the tool at position number `i`, m/N.
-    pub fn foundation_compliance(&self, i: usize) -> f64 {
-        self.founded.as_ref().map_or(0.0, |founded| founded.compliance(i))
     }
 
     /// Displacements of the supports with the tool's force (N) at position number `tool`, where joints have moved headstock

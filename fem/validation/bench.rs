@@ -23,6 +23,13 @@ pub fn row(
     Case { name: name.into(), quantity, expected, computed, unit, tolerance, source }
 }
 
+/// The tables of a model file that say what is modelled: without title, process and effects.
+pub fn tables(model: &str) -> String {
+    let tables = model.split("[effects").next().unwrap_or_default();
+    let own = |line: &&str| !line.starts_with("title") && !line.starts_with("process");
+    tables.lines().filter(own).collect::<Vec<_>>().join("\n")
+}
+
 /// The root of a rising function between `low` and `high`, by bisection: slow, and nothing that could go
 /// wrong with Newton's method goes wrong with it.
 pub fn bisect(mut low: f64, mut high: f64, rising: impl Fn(f64) -> f64) -> f64 {

@@ -117,6 +117,14 @@ const CASES: &[Mistake] = &[
     ),
 ];
 
+/// Holds what is refused of a model against a mistake.
+fn is_told(place: &Place, file: &str, (replaced, by, message, remedy): (&str, &str, &str, &str)) {
+    let answer = place.fem(&["run", file]);
+    assert_eq!(answer.status, 2, "{replaced} {by}: {}", answer.out);
+    let told = answer.err.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
+    assert!(told.contains(message) && told.contains(remedy), "{replaced} -> {by}: {}", answer.err);
+}
+
 #[test]
 fn drawings_that_cannot_be_are_told_with_their_remedy() {
     let good = model("lathe-on-bed.toml");
@@ -125,10 +133,7 @@ fn drawings_that_cannot_be_are_told_with_their_remedy() {
         let text = good.replacen(replaced, by, 1);
         assert_ne!(text, good, "{replaced}");
         place.write("lathe.toml", text);
-        let answer = place.fem(&["run", "lathe.toml"]);
-        assert_eq!(answer.status, 2, "{replaced} {by}: {}", answer.out);
-        let told = answer.err.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
-        assert!(told.contains(message) && told.contains(remedy), "{replaced} -> {by}: {}", answer.err);
+        is_told(&place, "lathe.toml", (replaced, by, message, remedy));
     }
 }
 
@@ -217,9 +222,6 @@ fn compliances_that_cannot_be_are_told_with_their_remedy() {
         let text = good.replacen(replaced, by, 1);
         assert_ne!(text, good, "{replaced}");
         place.write("measured-lathe.csv", text);
-        let answer = place.fem(&["run", "measured.toml"]);
-        assert_eq!(answer.status, 2, "{replaced} {by}: {}", answer.out);
-        let told = answer.err.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
-        assert!(told.contains(message) && told.contains(remedy), "{replaced} -> {by}: {}", answer.err);
+        is_told(&place, "measured.toml", (replaced, by, message, remedy));
     }
 }

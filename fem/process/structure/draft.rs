@@ -122,9 +122,8 @@ impl Draft {
         let ([a, b], member) = members[piece];
         let middle = nodes.len();
         nodes.push([0, 1].map(|k| nodes[a][k] + part * member.span[k]));
-        let of = |part: f64| crate::element::Member { span: member.span.map(|own| own * part), ..member };
-        members[piece] = ([a, middle], of(part));
-        members.push(([middle, b], of(1.0 - part)));
+        members[piece] = ([a, middle], member.piece(part));
+        members.push(([middle, b], member.piece(1.0 - part)));
         self.nodes.push(self.members[piece].clone());
         self.members.push(self.members[piece].clone());
         self.sizes.push(self.sizes[piece]);

@@ -156,7 +156,7 @@ impl<'a> Elastic<'a> {
         let left = |k: usize| self.shaft.bent_forces[k] - s[k][0] * displaced[0] - s[k][1] * displaced[1];
         let near = near.map(|d| &d.supports);
         let supports = solve_joints(&self.joints, influence, s, (force, [left(0), left(1)]), near)?;
-        let [compliance, founded] = [self.shaft.compliance[i], self.shaft.foundation_compliance(i)];
+        let [compliance, founded] = [self.shaft.compliance[i], self.shaft.foundation_compliance[i]];
         let [shaft, structure] = [compliance * force, founded * force];
         let (carriage, carriage_rate) = self.carriage.yield_under(force);
         let [y, rates] = [supports.displacements, supports.displacement_rates];

@@ -1,5 +1,7 @@
 //! What a structure yields with at places along a chain of its members, on which something stands.
 
+use std::collections::HashMap;
+
 use nalgebra::{DMatrix, DVector, RowVector3, RowVector6};
 
 use super::displaced::Load;
@@ -56,9 +58,14 @@ impl<'s> Along<'s> {
     /// The compliance along a chain, and across to some freedoms.
     pub fn new(factored: &'s Factored, chain: &'s Chain, others: &[Freedom]) -> Self {
         let structure = factored.structure();
+        // Neighbours share a node, and what a load on it does.
+        let mut under: HashMap<Freedom, Vec<f64>> = HashMap::new();
         let of = |member: &usize| {
             let numbers = freedoms(structure.members[*member].0);
-            let columns: Vec<Vec<f64>> = numbers.iter().map(|own| factored.under(&[(*own, 1.0)])).collect();
+            for own in numbers {
+                under.entry(own).or_insert_with(|| factored.under(&[(own, 1.0)]));
+            }
+            let columns = numbers.map(|own| &under[&own]);
             let ends = DMatrix::from_fn(6, 6, |i, j| columns[j][numbers[i].number()]);
             let others = DMatrix::from_fn(others.len(), 6, |i, j| columns[j][others[i].number()]);
             (ends, others)

@@ -64,15 +64,14 @@ impl Displaced<'_> {
         // Beside a force the line is that of a piece whose end is displaced by it.
         let displacement = |part: f64| -> Vector3<f64> {
             let (Some(load), Some(there)) = (load, loaded) else { return own.inside(part).follows * ends };
-            let piece = |length: f64| crate::element::Member { span: own.span.map(|s| s * length), ..own };
             let mut of_piece = ends;
             if part <= load.part {
                 of_piece.fixed_rows_mut::<3>(3).copy_from(&there);
                 let share = if load.part > 0.0 { part / load.part } else { 1.0 };
-                return piece(load.part).inside(share).follows * of_piece;
+                return own.piece(load.part).inside(share).follows * of_piece;
             }
             of_piece.fixed_rows_mut::<3>(0).copy_from(&there);
-            piece(1.0 - load.part).inside((part - load.part) / (1.0 - load.part)).follows * of_piece
+            own.piece(1.0 - load.part).inside((part - load.part) / (1.0 - load.part)).follows * of_piece
         };
         let mut parts: Vec<f64> = (0..=pieces).map(|i| i as f64 / pieces as f64).collect();
         if let Some(load) = load.filter(|load| load.part > 0.0 && load.part < 1.0) {

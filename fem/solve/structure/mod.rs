@@ -17,7 +17,7 @@ pub use factored::Factored;
 use crate::element::Member;
 
 /// A displacement of a node.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Direction {
     /// Along x, m.
     X,
@@ -28,7 +28,7 @@ pub enum Direction {
 }
 
 /// A node and one of its displacements.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Freedom {
     /// The node, by its number.
     pub node: usize,

@@ -4,6 +4,7 @@ use super::rig::{Machine, row};
 use crate::process::{ForwardModel, assembled};
 use crate::processes::stiffness::curve::Branch;
 use crate::processes::stiffness::rows::{along, elsewhere};
+use crate::validation::bench::tables;
 use crate::validation::{Case, Tolerance};
 
 /// Values of another program, printed to 1e-9 um.
@@ -17,10 +18,8 @@ const READINGS: [[f64; 6]; 2] = [
 ];
 
 pub fn cases() -> Vec<Case> {
-    let text = include_str!("../../../models/pushed-lathe.toml");
-    let own = |line: &&str| !line.starts_with("title") && !line.starts_with("process");
-    let tables: Vec<&str> = text.lines().filter(own).collect();
-    let machine: Option<Machine> = assembled(&tables.join("\n"), "");
+    let text = tables(include_str!("../../../models/pushed-lathe.toml"));
+    let machine: Option<Machine> = assembled(&text, "");
     let reading = |load: usize, dial: usize| {
         let rows = elsewhere(along(vec![1000.0], Branch::Load), load, dial);
         machine.as_ref().and_then(|m| m.observe(&rows).ok()).map_or(f64::NAN, |values| 1e6 * values[0])

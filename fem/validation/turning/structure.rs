@@ -1,6 +1,7 @@
 //! A shaft on a structure: closed forms of beams and frames, and the whole machine as another program assembles it.
 
 use super::rig::*;
+use crate::validation::bench::tables;
 use crate::validation::{Case, Tolerance};
 
 /// A frame of some ten unknowns, whose stiffnesses lie six powers of ten apart.
@@ -10,11 +11,8 @@ const PRINTED: Tolerance = Tolerance::Relative(1e-10);
 
 /// The lathe of the models: its tables, and its effect.
 fn on_bed() -> (String, &'static str) {
-    let text = include_str!("../../../models/lathe-on-bed.toml");
-    let tables = text.split("[effects").next().unwrap_or_default();
-    let own = |line: &&str| !line.starts_with("title") && !line.starts_with("process");
-    let tables: Vec<&str> = tables.lines().filter(own).collect();
-    (tables.join("\n"), "[carriage-compliance]\nstiffness = \"80 N/um\"")
+    let text = tables(include_str!("../../../models/lathe-on-bed.toml"));
+    (text, "[carriage-compliance]\nstiffness = \"80 N/um\"")
 }
 
 const STATICS: &str = "beams and frames by statics and slope deflection, with shear";
