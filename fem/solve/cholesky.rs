@@ -27,8 +27,9 @@ pub(in crate::solve) struct Pattern {
 
 /// A factored matrix.
 pub(in crate::solve) struct Factor {
-    symbolic: Arc<SymbolicCholesky<usize>>,
-    values: Vec<f64>,
+    pub(super) symbolic: Arc<SymbolicCholesky<usize>>,
+    /// Of L; in columns, the diagonal first.
+    pub(super) values: Vec<f64>,
 }
 
 /// Place of a diagonal entry among the values of an upper triangle: the last of its column.

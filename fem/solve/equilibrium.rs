@@ -36,14 +36,25 @@ pub struct Equilibrium {
 
 /// The joints found no equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("no equilibrium of the joints under {load} N after {iterations} Newton steps: {residual} N are left over")]
-pub struct JointsError {
-    /// Tool force, N.
-    pub load: f64,
-    /// Steps done.
-    pub iterations: usize,
-    /// Forces out of balance, N.
-    pub residual: f64,
+pub enum JointsError {
+    /// Newton's method did not converge.
+    #[error("no equilibrium of the joints under {load} N after {iterations} Newton steps: {residual} N are left over")]
+    Diverged {
+        /// Tool force, N.
+        load: f64,
+        /// Steps done.
+        iterations: usize,
+        /// Forces out of balance, N.
+        residual: f64,
+    },
+    /// A seat opens, and nothing else bears what it let go.
+    #[error("the seat number {seat} (from 0) opens under {load} N")]
+    Open {
+        /// The seat.
+        seat: usize,
+        /// Tool force, N.
+        load: f64,
+    },
 }
 
 /// Solves for the joints under the tool force `load` (N), given influence g, constraint S and the forces q (N) that are
@@ -173,7 +184,7 @@ impl States {
     }
 
     fn failure(&self, load: f64, iterations: usize) -> JointsError {
-        JointsError { load, iterations, residual: self.residual_norm() }
+        JointsError::Diverged { load, iterations, residual: self.residual_norm() }
     }
 }
 

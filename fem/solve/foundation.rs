@@ -22,8 +22,51 @@
 //! ```
 //!
 //! and joints are solved for on a structure as they are on rigid ground.
+//!
+//! A joint of the structure that is no spring has one in the structure, k, and gives way by e_j besides ([`Seat`]): the
+//! spring's foot is moved, F_j = k·(δ_j − e_j), δ_j what the structure moves it by. With B = C_sj·k it moves the supports by
+//! B·e_j, and the end joints and all seats obey the same form, F + S·e = g·P + q, with the further rows
+//!
+//! ```text
+//!     g_j = Bᵀ·M·(g + S·c) − k·c_j,   q_j = Bᵀ·M·q,   S_j = Bᵀ·M·S,   S_jj = k − k·C_jj·k + Bᵀ·M·S·B
+//! ```
 
 use nalgebra::{DMatrix, DVector};
+
+use crate::joint::Seat;
+
+/// Most joints of a structure that are no springs.
+pub const MOST_SEATS: usize = 8;
+
+/// What joints have moved, m.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Moved {
+    /// The shaft at headstock and tailstock, against what these stand on.
+    pub ends: [f64; 2],
+    /// The seats of the structure, in their order.
+    pub seats: [f64; MOST_SEATS],
+}
+
+impl From<[f64; 2]> for Moved {
+    fn from(ends: [f64; 2]) -> Self {
+        Self { ends, ..Self::default() }
+    }
+}
+
+/// Joints of a structure that give way otherwise than by the springs that stand for them in it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Seats {
+    /// By how much they give way beside their springs.
+    pub laws: Vec<Seat>,
+    /// Their springs, N/m or N m/rad.
+    pub stiffness: Vec<f64>,
+    /// Displacement of each seat under unit forces on the supports, m/N.
+    pub to_supports: DMatrix<f64>,
+    /// Displacements under unit pairs of forces on the seats, m/N.
+    pub among: DMatrix<f64>,
+    /// Displacements of the seats under a unit force on the tool, by position.
+    pub cross: Vec<Vec<f64>>,
+}
 
 /// What a shaft and its tool stand on: a structure as they see it. Supports are headstock, tailstock, the headstock's
 /// turning (counter-clockwise), and the feet of the steady rests; those that there are not, or that stand still, have zeros.
@@ -35,6 +78,8 @@ pub struct Foundation {
     pub cross: Vec<Vec<f64>>,
     /// Displacement of the tool under a unit force on it, by position, m/N.
     pub tool: Vec<f64>,
+    /// Joints in it that are no springs.
+    pub seats: Seats,
 }
 
 impl Foundation {
@@ -107,6 +152,12 @@ pub(super) struct Founded {
     constraint: DMatrix<f64>,
     /// M·q.
     bent_forces: DVector<f64>,
+    /// B, what seats move the supports by.
+    seats_to_supports: DMatrix<f64>,
+    /// The whole S, of headstock, tailstock and seats.
+    whole: DMatrix<f64>,
+    /// The whole q.
+    whole_bent: Vec<f64>,
 }
 
 impl Founded {
@@ -115,15 +166,52 @@ impl Founded {
         // Of positive semidefinite S and C the product has no negative eigenvalue, and the sum an inverse.
         let balance = (&unit + &response.constraint * &foundation.supports).try_inverse().unwrap_or(unit);
         let (constraint, bent_forces) = (&balance * &response.constraint, &balance * &response.bent_forces);
-        Self { foundation, response, balance, constraint, bent_forces }
+        let seats = &foundation.seats;
+        let (count, springs) = (seats.laws.len(), &seats.stiffness);
+        let moves = DMatrix::from_fn(response.count, count, |s, j| seats.to_supports[(j, s)] * springs[j]);
+        let mutual = moves.transpose() * &constraint;
+        let among = &mutual * &moves;
+        let mut whole = DMatrix::zeros(2 + count, 2 + count);
+        for i in 0..2 + count {
+            for j in 0..=i {
+                let own = match (i.checked_sub(2), j.checked_sub(2)) {
+                    // What rounding leaves of a symmetry would be a source of energy.
+                    (None, _) => 0.5 * (constraint[(i, j)] + constraint[(j, i)]),
+                    (Some(i), None) => mutual[(i, j)],
+                    (Some(i), Some(j)) => {
+                        let spring = if i == j { springs[i] } else { 0.0 };
+                        spring - springs[i] * seats.among[(i, j)] * springs[j] + 0.5 * (among[(i, j)] + among[(j, i)])
+                    }
+                };
+                (whole[(i, j)], whole[(j, i)]) = (own, own);
+            }
+        }
+        let of_seats = moves.transpose() * &bent_forces;
+        let whole_bent = bent_forces.iter().take(2).chain(of_seats.iter()).copied().collect();
+        Self { foundation, response, balance, constraint, bent_forces, seats_to_supports: moves, whole, whole_bent }
+    }
+
+    /// The laws of its seats.
+    pub(super) fn seats(&self) -> &[Seat] {
+        &self.foundation.seats.laws
+    }
+
+    /// Constraint of headstock, tailstock and seats, and the forces there without the tool.
+    pub(super) fn whole(&self) -> (&DMatrix<f64>, &[f64]) {
+        (&self.whole, &self.whole_bent)
+    }
+
+    /// Influence of headstock, tailstock and seats.
+    pub(super) fn whole_influence(&self, position: usize) -> Vec<f64> {
+        let (shares, seats) = (self.shares(position), &self.foundation.seats);
+        let by_supports = self.seats_to_supports.transpose() * &shares;
+        let of_seat = |j: usize| by_supports[j] - seats.stiffness[j] * seats.cross[position][j];
+        shares.iter().take(2).copied().chain((0..seats.laws.len()).map(of_seat)).collect()
     }
 
     /// Constraint of headstock and tailstock, N/m.
     pub(super) fn constraint(&self) -> [[f64; 2]; 2] {
-        let own = |i, j| self.constraint[(i, j)];
-        // What rounding leaves of a symmetry would be a source of energy.
-        let mutual = 0.5 * (own(0, 1) + own(1, 0));
-        [[own(0, 0), mutual], [mutual, own(1, 1)]]
+        [0, 1].map(|i| [0, 1].map(|j| self.whole[(i, j)]))
     }
 
     /// Forces that supports out of line leave at headstock and tailstock, N.
@@ -153,11 +241,12 @@ impl Founded {
         ([shares[0], shares[1]], compliance, self.response.bent[position] + follows.dot(&self.bent_forces))
     }
 
-    /// Displacements of all supports with the tool's force (N) at a position, and joints that have moved headstock and
-    /// tailstock by `ends` (m).
-    pub(super) fn supports_under(&self, tool: usize, force: f64, ends: [f64; 2]) -> Vec<f64> {
-        let mut supports = DVector::zeros(self.response.count);
-        supports.as_mut_slice()[..2].copy_from_slice(&ends);
+    /// Displacements of all supports with the tool's force (N) at a position, and what joints have moved.
+    pub(super) fn supports_under(&self, tool: usize, force: f64, moved: &Moved) -> Vec<f64> {
+        let count = self.seats_to_supports.ncols();
+        let mut supports = &self.seats_to_supports * DVector::from_column_slice(&moved.seats[..count]);
+        supports[0] += moved.ends[0];
+        supports[1] += moved.ends[1];
         let forces = self.shares(tool) * force + &self.bent_forces - &self.constraint * &supports;
         let cross = DVector::from_column_slice(&self.foundation.cross[tool]) * force;
         (supports + &self.foundation.supports * forces - cross).as_slice().to_vec()
@@ -232,7 +321,8 @@ mod tests {
         let work = y(at(x));
         let factored = whole.factored().unwrap();
         let chain = Chain { members: vec![0, 1, 2, 3], offset: 0.0 };
-        let there = Along::new(&factored, &chain, &[work]).at(x).unwrap();
+        let of_work = factored.under(&[(work, 1.0)]);
+        let there = Along::new(&factored, &chain).at(x, [&of_work[..]]).unwrap();
         factored.compliance(&[work])[(0, 0)] + there.own - 2.0 * there.others[0]
     }
 
@@ -245,28 +335,25 @@ mod tests {
         let turn = Freedom { node: 4, direction: Direction::Turn };
         let ports = [vec![y(4), y(5), turn], rest.map(|_| y(2)).into_iter().collect()].concat();
         let chain = Chain { members: vec![0, 1, 2, 3], offset: 0.0 };
-        let seen = Along::new(&bed, &chain, &ports).at(x).unwrap();
-        let foundation =
-            Foundation { supports: bed.compliance(&ports), cross: vec![seen.others], tool: vec![seen.own] };
+        let seen = Along::new(&bed, &chain).at(x, bed.under_each(&ports).iter().map(Vec::as_slice)).unwrap();
+        let across = seen.others.clone();
+        let (supports, seats) = (bed.compliance(&ports), Seats::default());
+        let foundation = Foundation { supports, cross: vec![seen.others], tool: vec![seen.own], seats };
         let shaft = shaft.condense_on(&[x], foundation).unwrap();
         let joints = [1.0 / 6e7, 1.0 / 4e7].map(|k| crate::joint::Joint { spring_compliance: k, contacts: Vec::new() });
         let supports =
             crate::solve::solve_joints(&joints, shaft.influence[0], &shaft.constraint, (1.0, shaft.bent_forces), None);
         let ends = supports.unwrap().displacements;
-        let line = shaft.line(0, 1.0, ends)[0];
+        let moved = Moved::from(ends);
+        let line = shaft.line(0, 1.0, &moved)[0];
         let gap = shaft.compliance[0] + shaft.foundation_compliance[0] + shaft.moved(0, ends);
         // Work and tool apart, by way of the supports.
-        let moved = shaft.supports_under(0, 1.0, ends);
-        let reactions = shaft.reactions_under(0, 1.0, ends).unwrap();
-        assert_eq!(moved.len(), ports.len());
-        let tool: f64 =
-            -seen.own + seen_by(&bed, &chain, &ports, x).iter().zip(&reactions).map(|(c, q)| c * q).sum::<f64>();
+        let supports = shaft.supports_under(0, 1.0, &moved);
+        let reactions = shaft.reactions_under(0, 1.0, &moved).unwrap();
+        assert_eq!(supports.len(), ports.len());
+        let tool: f64 = -seen.own + across.iter().zip(&reactions).map(|(c, q)| c * q).sum::<f64>();
         assert!((line - tool - gap).abs() < 1e-10 * gap, "{line} {tool} {gap}");
         gap
-    }
-
-    fn seen_by(bed: &crate::solve::structure::Factored, chain: &Chain, ports: &[Freedom], x: f64) -> Vec<f64> {
-        Along::new(bed, chain, ports).at(x).unwrap().others
     }
 
     #[test]

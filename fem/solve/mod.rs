@@ -14,11 +14,14 @@ pub mod heat;
 mod plane;
 pub mod ring;
 pub mod rod;
+mod seated;
+mod selected;
 mod shaft;
 pub mod sparse;
 pub mod structure;
 
 pub use bar::Bar;
 pub use equilibrium::{Equilibrium, JointsError, solve_joints};
-pub use foundation::Foundation;
+pub use foundation::{Foundation, MOST_SEATS, Moved, Seats};
+pub use seated::{Seated, System, solve_seated};
 pub use shaft::{Condensed, Hold, Rest, Shaft, ShaftError};

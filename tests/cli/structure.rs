@@ -117,6 +117,67 @@ const CASES: &[Mistake] = &[
     ),
 ];
 
+/// A headstock on surfaces in contact that its screws hold together: a cut that lifts it takes force off them, and beyond what
+/// the screws hold they open. With clearance, all but the spring is one way or the other.
+#[test]
+fn seats_hold_by_their_preload() {
+    let place = Place::new();
+    let error = |name: &str, seat: &str| -> f64 {
+        let on = "between = [\"under-headstock\", \"headstock-foot\"]\nalong = \"y\"\nstiffness";
+        let text = model("lathe-on-bed.toml").replacen(on, &format!("{seat}{on}"), 1);
+        assert!(text.contains(seat));
+        place.write("lathe.toml", text);
+        let answer = place.fem(&["run", "lathe.toml", "-o", name]);
+        assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+        let profile = place.read(&format!("{name}/profile.csv"));
+        let row = profile.lines().skip(1).map(|line| line.split(',').collect::<Vec<_>>()).find(|row| row[1] == "0");
+        row.unwrap()[4].parse().unwrap()
+    };
+    let spring = error("spring", "");
+    // All of the cut stands on the headstock at x = 0, which rises twice as far in diameter.
+    let contact = |preload: f64| 0.3 * (preload.sqrt() - (preload - 450.0).max(0.0).sqrt());
+    for preload in [5000.0, 600.0] {
+        let seated = error("contact", &format!("c = \"0.3 um/N^n\"\npreload = \"{preload} N\"\n"));
+        let expected = 2.0 * contact(preload);
+        assert!((seated - spring - expected).abs() < 1e-6, "{preload}: {seated} {spring} {expected}");
+    }
+    let crossed = error("gap", "gap = \"3 um\"\n") - spring;
+    assert!(crossed.abs() < 1e-9 || (crossed - 6.0).abs() < 1e-9, "{crossed}");
+    // The screws hold less than the cut: nothing but the frame's other joints bears what is left, and these hold no seat along y.
+    let loose = model("lathe-on-bed.toml").replacen(
+        "between = [\"under-headstock\", \"headstock-foot\"]\nalong = \"y\"",
+        "between = [\"under-headstock\", \"headstock-foot\"]\nalong = \"y\"\nc = \"0.3 um/N^n\"\npreload = \"100 N\"",
+        1,
+    );
+    place.write("loose.toml", loose);
+    let answer = place.fem(&["run", "loose.toml"]);
+    assert_ne!(answer.status, 0, "{}", answer.out);
+    insta::assert_snapshot!(answer.err);
+}
+
+/// (in the model, replaced by, part of the message, part of the remedy): joints that are no springs.
+const SEATS: &[Mistake] = &[
+    ("stiffness = \"800", "c = \"0.3 um/N^n\"\ngap = \"2 um\"\nstiffness = \"800", "not both", "behind one another"),
+    ("stiffness = \"800", "preload = \"2 kN\"\nstiffness = \"800", "there is no contact", "a contact has `c`"),
+    ("stiffness = \"800", "c = \"0.3 um\"\nstiffness = \"800", "`um`", "um/N^n"),
+    ("stiffness = \"800", "c = \"0.3 um/N^n\"\nn = 1.5\nstiffness = \"800", "`n`", "1"),
+    ("stiffness = \"800", "gap = \"-2 um\"\nstiffness = \"800", "`gap` is -2 um", "zero or more"),
+];
+
+#[test]
+fn seats_that_cannot_be_are_told_with_their_remedy() {
+    let good = model("lathe-on-bed.toml");
+    for (replaced, by, message, remedy) in SEATS {
+        let place = Place::new();
+        place.write("lathe.toml", good.replacen(replaced, by, 1));
+        is_told(&place, "lathe.toml", (replaced, by, message, remedy));
+    }
+    let place = Place::new();
+    place.write("lathe.toml", good.replace("along = \"", "gap = \"1 um\"\nalong = \""));
+    let told = ("along", "gap", "9 joints are more than the 8 that can be no springs", "make springs of those");
+    is_told(&place, "lathe.toml", told);
+}
+
 /// Holds what is refused of a model against a mistake.
 fn is_told(place: &Place, file: &str, (replaced, by, message, remedy): (&str, &str, &str, &str)) {
     let answer = place.fem(&["run", file]);

@@ -3,7 +3,7 @@
 use fem::element::BeamPiece;
 use fem::joint::{Contact, Joint};
 use fem::solve::frame::Frame;
-use fem::solve::{Condensed, Hold, Rest, Shaft, solve_joints};
+use fem::solve::{Condensed, Hold, Moved, Rest, Shaft, solve_joints};
 use proptest::prelude::*;
 
 /// A shaft of pieces of 5 to 60 mm with steps, and which pieces end at a rest and at the tool.
@@ -65,7 +65,7 @@ impl Trial {
         let influence = condensed.influence[self.tool];
         let joints = solve_joints(&self.joints, influence, &condensed.constraint, (self.load, [0.0; 2]), None).unwrap();
         let [head, tail] = joints.displacements;
-        let shape = condensed.line(self.tool, 1.0, [0.0; 2]);
+        let shape = condensed.line(self.tool, 1.0, &Moved::default());
         assert!((shape[self.tool] / condensed.compliance[self.tool] - 1.0).abs() < 1e-12);
         shape.iter().zip(&condensed.influence).map(|(unit, g)| unit * self.load + g[0] * head + g[1] * tail).collect()
     }

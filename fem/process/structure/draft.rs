@@ -1,8 +1,11 @@
 //! A structure in the making: as it is drawn, with nodes put in where something stands within a member.
 
 use crate::input::{Name, Reader};
+use crate::joint::Seat;
+use crate::process::Failure;
+use crate::solve::JointsError;
 use crate::solve::structure::{Direction, Factored, Freedom, Structure, StructureError};
-use crate::units::LENGTH;
+use crate::units::{FORCE, LENGTH};
 
 /// What something stands on.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,6 +44,19 @@ pub struct Draft {
     pub(super) sizes: Vec<[f64; 2]>,
     /// Of every spring.
     pub(super) joints: Vec<Name>,
+    /// Springs, by their numbers, whose joints give way beside them, and whether they are pressed along their direction.
+    pub(super) seats: Vec<DrawnSeat>,
+}
+
+/// A joint that gives way beside its spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawnSeat {
+    /// Number of the spring.
+    pub spring: usize,
+    /// 1 where it is pressed as its node moves along its direction, −1 where against it.
+    pub sign: f64,
+    /// By how much it gives way.
+    pub law: Seat,
 }
 
 /// A structure that is factored, with the names of its parts.
@@ -55,6 +71,41 @@ pub struct Drawn {
     pub sizes: Vec<[f64; 2]>,
     /// Of every spring.
     pub joints: Vec<Name>,
+    /// Joints that give way beside their springs.
+    pub seats: Vec<DrawnSeat>,
+}
+
+impl Drawn {
+    /// A unit pair of forces that presses a seat.
+    pub fn pair(&self, seat: &DrawnSeat) -> Vec<(Freedom, f64)> {
+        let spring = &self.factored.structure().springs[seat.spring];
+        Port { at: spring.at, from: spring.from }.forces(seat.sign)
+    }
+
+    /// Feet of springs that seats have moved (m), by the numbers of the springs.
+    pub fn feet(&self, moved: &[f64]) -> Vec<(usize, f64)> {
+        self.seats.iter().zip(moved).map(|(seat, by)| (seat.spring, seat.sign * by)).collect()
+    }
+
+    /// Why its joints found no equilibrium.
+    pub fn failure(&self, error: JointsError) -> Failure {
+        let JointsError::Open { seat, load } = error else { return error.into() };
+        let name = self.seats.get(seat).map_or("", |own| self.joints[own.spring].as_str());
+        Failure {
+            message: format!(
+                "`structure.{name}` opens under a force of {}, and nothing else holds what it held",
+                FORCE.format(load)
+            ),
+            help: "raise its preload, or look whether it is pressed along its direction or against it: along = \"y\", \
+                   \"-y\""
+                .into(),
+        }
+    }
+
+    /// Stiffness of the spring of a seat, N/m or N m/rad.
+    pub fn stiffness(&self, seat: &DrawnSeat) -> f64 {
+        self.factored.structure().springs[seat.spring].stiffness
+    }
 }
 
 impl Draft {
@@ -132,10 +183,10 @@ impl Draft {
 
     /// Assembles and factors; what holds nothing is told at the table that is read.
     pub(super) fn factored(self, t: &Reader) -> Option<Drawn> {
-        let Self { structure, nodes, members, sizes, joints } = self;
+        let Self { structure, nodes, members, sizes, joints, seats } = self;
         let places = structure.nodes.clone();
         match structure.factored() {
-            Ok(factored) => Some(Drawn { nodes, factored, members, sizes, joints }),
+            Ok(factored) => Some(Drawn { nodes, factored, members, sizes, joints, seats }),
             Err(StructureError::Loose { at, nodes: together }) => {
                 let node = &nodes[at.node];
                 let (moves, along) = match at.direction {

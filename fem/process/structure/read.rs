@@ -1,12 +1,14 @@
 //! Reads a structure: nodes, members, joints, supports, and what stands on them.
 
-use super::draft::{Draft, Drawn, Port, Stand};
+use super::draft::{Draft, Drawn, DrawnSeat, Port, Stand};
 use crate::element::{Member, Rectangle, Round, Tube};
-use crate::input::{Name, Reader, did_you_mean};
+use crate::input::{Bounds, Name, Reader, did_you_mean};
+use crate::joint::{Contact, Seat};
 use crate::material::Material;
 use crate::process::estimates;
+use crate::solve::MOST_SEATS;
 use crate::solve::structure::{Direction, Freedom, Spring};
-use crate::units::{LENGTH, ROTATIONAL_STIFFNESS, STIFFNESS};
+use crate::units::{CONTACT_COEFFICIENT, FORCE, LENGTH, MICRO, NUMBER, ROTATIONAL_STIFFNESS, STIFFNESS};
 
 /// Members shorter than this have no length, m.
 const SHORTEST: f64 = 1e-6;
@@ -14,6 +16,15 @@ const SHORTEST: f64 = 1e-6;
 const MOST: usize = 10_000;
 /// The words for directions.
 const DIRECTIONS: &[(&str, Direction)] = &[("y", Direction::Y), ("x", Direction::X), ("turning", Direction::Turn)];
+/// The same with the sense in which a joint is pressed.
+const PRESSED: &[(&str, (Direction, f64))] = &[
+    ("y", (Direction::Y, 1.0)),
+    ("x", (Direction::X, 1.0)),
+    ("turning", (Direction::Turn, 1.0)),
+    ("-y", (Direction::Y, -1.0)),
+    ("-x", (Direction::X, -1.0)),
+    ("-turning", (Direction::Turn, -1.0)),
+];
 /// The table of what stands on it.
 const PORTS: &str = "ports";
 
@@ -21,7 +32,8 @@ const PORTS: &str = "ports";
 enum Part {
     /// Its ends, the member, its width and height.
     Member([usize; 2], Member, [f64; 2]),
-    Joint(Spring),
+    /// Its spring, and by how much it gives way beside that: pressed along its direction or against it.
+    Joint(Spring, Option<(f64, Seat)>),
 }
 
 /// A cross-section.
@@ -64,12 +76,18 @@ impl Draft {
                     draft.members.push(name);
                     draft.sizes.push(size);
                 }
-                Some(Part::Joint(spring)) => {
+                Some(Part::Joint(spring, seat)) => {
+                    let number = draft.structure.springs.len();
+                    draft.seats.extend(seat.map(|(sign, law)| DrawnSeat { spring: number, sign, law }));
                     draft.structure.springs.push(spring);
                     draft.joints.push(name);
                 }
                 None => {}
             }
+        }
+        if draft.seats.len() > MOST_SEATS {
+            let message = format!("{} joints are more than the {MOST_SEATS} that can be no springs", draft.seats.len());
+            t.problem("", message, "make springs of those that hardly yield");
         }
         let ports = t.table(PORTS, "what stands where on it: nodes, or members along x", |t| ports(t, &mut draft));
         // What is drawn wrongly holds nothing, and need not be told so.
@@ -100,7 +118,7 @@ impl Draft {
         if is_joint || t.is_described() {
             joint = self.read_joint(t, between.as_deref());
         }
-        member.or(joint.map(Part::Joint))
+        member.or(joint)
     }
 
     fn read_member(&self, t: &Reader, between: Option<&[String]>, material: &Material) -> Option<Part> {
@@ -127,12 +145,14 @@ impl Draft {
         Some(Part::Member([a, b], member, size))
     }
 
-    fn read_joint(&self, t: &Reader, between: Option<&[String]>) -> Option<Spring> {
+    fn read_joint(&self, t: &Reader, between: Option<&[String]>) -> Option<Part> {
         let at = t.text("at", "the node that it holds against the ground");
-        let direction = t.choice("along", "the direction in which it yields", DIRECTIONS).required(Direction::Y);
+        let about = "the direction in which it yields; with a minus, against which it is pressed";
+        let (direction, sign) = t.choice("along", about, PRESSED).required((Direction::Y, 1.0));
         let kind = if direction == Direction::Turn { ROTATIONAL_STIFFNESS } else { STIFFNESS };
         let stiffness = t.quantity("stiffness", kind, "stiffness of the joint").estimated(estimates::STIFFNESS);
         let stiffness = stiffness.positive().required();
+        let seat = read_seat(t);
         let (node, from) = match (at, between) {
             (Some(at), None) => (self.known_node(t, "at", &at)?, None),
             (None, Some(between)) => self.ends(t, between).map(|[a, b]| (a, Some(b)))?,
@@ -146,7 +166,7 @@ impl Draft {
                 return None;
             }
         };
-        Some(Spring { at: Freedom { node, direction }, from, stiffness })
+        Some(Part::Joint(Spring { at: Freedom { node, direction }, from, stiffness }, seat.map(|law| (sign, law))))
     }
 
     /// The two nodes of `between`.
@@ -226,6 +246,31 @@ impl Draft {
             }
         }
         Some(Stand::Along(members))
+    }
+}
+
+/// Reads by how much a joint gives way beside its spring, if it is no spring alone.
+fn read_seat(t: &Reader) -> Option<Seat> {
+    let c =
+        t.quantity("c", CONTACT_COEFFICIENT, "coefficient of its contact, y = c*Q^n under the force Q that presses it");
+    let c = c.estimated(estimates::CONTACT).not_negative().optional();
+    let n = t.quantity("n", NUMBER, "exponent of the contact").bounds(Bounds::Within(0.0, 1.0)).or(0.5);
+    let preload = t.quantity("preload", FORCE, "force that holds the contact together without a load");
+    let preload = preload.estimated(estimates::PRELOAD).not_negative().or(0.0);
+    let gap = t.quantity("gap", MICRO, "clearance, from the one flank to the other").not_negative().optional();
+    match (c, gap) {
+        (Some(_), Some(_)) => {
+            t.problem("gap", "a joint is a contact or has clearance, not both", "draw two joints behind one another");
+            None
+        }
+        (Some(coefficient), None) => Some(Seat::Contact(Contact { coefficient, exponent: n }, preload)),
+        (None, Some(gap)) => Some(Seat::Clearance(gap)),
+        (None, None) => {
+            if t.has("n") || t.has("preload") {
+                t.problem("n", "there is no contact", "a contact has `c`, `n` and `preload`");
+            }
+            None
+        }
     }
 }
 

@@ -3,8 +3,11 @@
 use nalgebra::DMatrix;
 
 use crate::input::Reader;
+use crate::joint::{Joint, Seat};
+use crate::process::Failure;
 use crate::process::structure::{Draft, Drawn, Port};
 use crate::solve::structure::{Displaced, Freedom};
+use crate::solve::{System, solve_seated};
 
 /// More places than anybody pushes at or watches.
 const MOST: usize = 1000;
@@ -17,8 +20,20 @@ pub struct Base {
     pub loads: Vec<Port>,
     /// Places that dials watch.
     pub dials: Vec<Port>,
-    /// Reading of each dial under a unit force at each place, m/N.
+    /// Reading of each dial under a unit force at each place, every joint a spring, m/N.
     compliance: DMatrix<f64>,
+    seats: Seats,
+}
+
+/// Joints that are no springs.
+struct Seats {
+    laws: Vec<Seat>,
+    /// Forces on two end joints that there are not and on every seat, place by place, per unit force.
+    influence: Vec<Vec<f64>>,
+    /// Forces per unit displacement of each of them, N/m.
+    constraint: DMatrix<f64>,
+    /// Reading of each dial per displacement of each seat.
+    to_dials: DMatrix<f64>,
 }
 
 impl Base {
@@ -39,17 +54,58 @@ impl Base {
             let dials = ports("dials", "where dials watch it");
             Some((loads?, dials?))
         })?;
-        let reading = |dial: &Port, displacements: &[f64]| {
-            dial.forces(1.0).iter().map(|(at, sign)| sign * displacements[at.number()]).sum::<f64>()
+        let of = |loads: &[(Freedom, f64)], displacements: &[f64]| {
+            loads.iter().map(|(at, sign)| sign * displacements[at.number()]).sum::<f64>()
         };
-        let under: Vec<Vec<f64>> = loads.iter().map(|load| drawn.factored.under(&load.forces(1.0))).collect();
-        let compliance = DMatrix::from_fn(dials.len(), loads.len(), |dial, load| reading(&dials[dial], &under[load]));
-        Some(Self { drawn, loads, dials, compliance })
+        let (pushes, watched): (Vec<_>, Vec<_>) =
+            (loads.iter().map(|own| own.forces(1.0)).collect(), dials.iter().map(|own| own.forces(1.0)).collect());
+        let pairs: Vec<Vec<(Freedom, f64)>> = drawn.seats.iter().map(|seat| drawn.pair(seat)).collect();
+        let springs: Vec<f64> = drawn.seats.iter().map(|seat| drawn.stiffness(seat)).collect();
+        let under: Vec<Vec<f64>> = pushes.iter().map(|push| drawn.factored.under(push)).collect();
+        let under_seats: Vec<Vec<f64>> = pairs.iter().map(|pair| drawn.factored.under(pair)).collect();
+        let compliance = DMatrix::from_fn(dials.len(), loads.len(), |dial, load| of(&watched[dial], &under[load]));
+        let on_seats =
+            |moved: &Vec<f64>| pairs.iter().zip(&springs).map(|(pair, k)| k * of(pair, moved)).collect::<Vec<_>>();
+        let constraint =
+            DMatrix::from_fn(2 + pairs.len(), 2 + pairs.len(), |i, j| match (i.checked_sub(2), j.checked_sub(2)) {
+                (Some(i), Some(j)) => {
+                    let spring = if i == j { springs[i] } else { 0.0 };
+                    spring - springs[i] * of(&pairs[i], &under_seats[j]) * springs[j]
+                }
+                _ => 0.0,
+            });
+        let seats = Seats {
+            laws: drawn.seats.iter().map(|seat| seat.law).collect(),
+            influence: under.iter().map(|moved| [vec![0.0; 2], on_seats(moved)].concat()).collect(),
+            constraint,
+            to_dials: DMatrix::from_fn(dials.len(), pairs.len(), |dial, j| {
+                springs[j] * of(&watched[dial], &under_seats[j])
+            }),
+        };
+        Some(Self { drawn, loads, dials, compliance, seats })
     }
 
-    /// Reading of a dial under a unit force at a place, by their numbers from 0, m/N.
-    pub fn compliance(&self, load: usize, dial: usize) -> f64 {
-        self.compliance[(dial, load)]
+    /// Reading of a dial under a force (N) at a place, by their numbers from 0, m.
+    ///
+    /// # Errors
+    /// The joints found no equilibrium.
+    pub fn reading(&self, load: usize, dial: usize, force: f64) -> Result<f64, Failure> {
+        let moved = self.given_way(load, force)?;
+        let by_seats: f64 = moved.iter().enumerate().map(|(j, by)| self.seats.to_dials[(dial, j)] * by).sum();
+        Ok(self.compliance[(dial, load)] * force + by_seats)
+    }
+
+    /// How far its seats give way under a force (N) at a place, m.
+    fn given_way(&self, load: usize, force: f64) -> Result<Vec<f64>, Failure> {
+        let Seats { laws, influence, constraint, .. } = &self.seats;
+        if laws.is_empty() {
+            return Ok(Vec::new());
+        }
+        let bent_forces = vec![0.0; 2 + laws.len()];
+        let system = System { influence: &influence[load], constraint, bent_forces: &bent_forces };
+        let ends = [Joint::default(), Joint::default()];
+        let all = solve_seated(&ends, laws, &system, force, None).map_err(|error| self.drawn.failure(error))?;
+        Ok(all.displacements[2..].to_vec())
     }
 
     /// Whether a dial watches the very place that is pushed, and sees the joint that passes the force on.
@@ -58,8 +114,11 @@ impl Base {
     }
 
     /// The structure pushed with a force (N) at a place.
-    pub fn pushed(&self, load: usize, force: f64) -> Displaced<'_> {
-        let forces: Vec<(Freedom, f64)> = self.loads[load].forces(force);
-        self.drawn.factored.displaced(&forces, &[])
+    ///
+    /// # Errors
+    /// The joints found no equilibrium.
+    pub fn pushed(&self, load: usize, force: f64) -> Result<Displaced<'_>, Failure> {
+        let feet = self.drawn.feet(&self.given_way(load, force)?);
+        Ok(self.drawn.factored.displaced(&self.loads[load].forces(force), &[], &feet))
     }
 }

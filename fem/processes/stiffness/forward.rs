@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::machine::Machine;
 use super::rows::{FORCE_OF_ROW, branch, dial, load, reached};
-use crate::process::Rows;
+use crate::process::{Failure, Rows};
 
 /// The displacement of every row of a joint alone, m.
 pub fn of_joint(curve: &Curve, rows: &Rows) -> Vec<f64> {
@@ -13,15 +13,18 @@ pub fn of_joint(curve: &Curve, rows: &Rows) -> Vec<f64> {
 
 /// The displacement of every row, m: of the joint where the dial watches what is pushed, and everywhere of the structure, to
 /// which the joint passes on what friction leaves.
-pub fn observe(machine: &Machine, rows: &Rows) -> Vec<f64> {
+///
+/// # Errors
+/// The joints of the structure found no equilibrium.
+pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     let curve = &machine.curve;
     let own = of_joint(curve, rows);
-    let Some(base) = &machine.setup.base else { return own };
+    let Some(base) = &machine.setup.base else { return Ok(own) };
     let of_row = |row: usize| {
         let (load, dial) = (load(rows, row), dial(rows, row));
         let passed_on = curve.spring_force(rows.columns[FORCE_OF_ROW][row], branch(rows, row));
         let own = if base.watches(load, dial) { own[row] } else { curve.offset };
-        own + base.compliance(load, dial) * passed_on
+        Ok(own + base.reading(load, dial, passed_on)?)
     };
     (0..rows.len()).map(of_row).collect()
 }

@@ -76,7 +76,7 @@ impl Definition for Stiffness {
     }
 
     fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
-        Ok(forward::observe(machine, rows))
+        forward::observe(machine, rows)
     }
 
     fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {

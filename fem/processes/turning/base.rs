@@ -2,8 +2,8 @@
 
 use crate::input::Reader;
 use crate::process::structure::{Draft, Drawn, NEAR, Stand};
-use crate::solve::structure::{Along, Chain, Direction, Displaced, Freedom};
-use crate::solve::{Foundation, Rest};
+use crate::solve::structure::{Along, Chain, Direction, Displaced, Freedom, Seen};
+use crate::solve::{Foundation, Rest, Seats};
 use crate::units::LENGTH;
 use nalgebra::DMatrix;
 
@@ -39,45 +39,62 @@ impl Base {
 
     /// What a shaft sees of it with the tool at each of the positions (m).
     pub fn foundation(&self, positions: &[f64]) -> Foundation {
-        let there: Vec<Freedom> = self.ports.supports.iter().flatten().copied().collect();
-        let compliance = self.drawn.factored.compliance(&there);
-        // Numbers among those that move.
-        let mut number = 0;
-        let numbers: Vec<Option<usize>> = (self.ports.supports.iter())
-            .map(|own| {
-                let own = own.map(|_| number);
-                number += usize::from(own.is_some());
-                own
-            })
-            .collect();
-        let between = |i: Option<usize>, j: Option<usize>| i.zip(j).map_or(0.0, |at| compliance[at]);
-        let supports = DMatrix::from_fn(numbers.len(), numbers.len(), |i, j| between(numbers[i], numbers[j]));
-        let spread = |seen: &[f64]| numbers.iter().map(|own| own.map_or(0.0, |own| seen[own])).collect::<Vec<f64>>();
+        let Drawn { factored, seats, .. } = &self.drawn;
+        let ports = &self.ports.supports;
+        let still = vec![0.0; 3 * factored.structure().nodes.len()];
+        let pairs: Vec<Vec<(Freedom, f64)>> = seats.iter().map(|seat| self.drawn.pair(seat)).collect();
+        // Displacements of all freedoms under unit loads on supports and seats.
+        let of_supports: Vec<Vec<f64>> =
+            ports.iter().map(|own| own.map_or_else(|| still.clone(), |own| factored.under(&[(own, 1.0)]))).collect();
+        let of_seats: Vec<Vec<f64>> = pairs.iter().map(|pair| factored.under(pair)).collect();
+        let seat = |i: usize, moved: &[f64]| pairs[i].iter().map(|(at, sign)| sign * moved[at.number()]).sum::<f64>();
+        let support = |i: usize, moved: &[f64]| ports[i].map_or(0.0, |own: Freedom| moved[own.number()]);
+        let (count, among) = (ports.len(), seats.len());
+        let displaced: Vec<&[f64]> = of_supports.iter().chain(&of_seats).map(Vec::as_slice).collect();
+        let (mut cross, mut tool, mut seats_to_tool) = (Vec::new(), Vec::new(), Vec::new());
+        for Seen { own, mut others } in self.tool_sees(positions, &displaced) {
+            seats_to_tool.push(others.split_off(count));
+            cross.push(others);
+            tool.push(own);
+        }
+        Foundation {
+            supports: DMatrix::from_fn(count, count, |i, j| {
+                0.5 * (support(i, &of_supports[j]) + support(j, &of_supports[i]))
+            }),
+            cross,
+            tool,
+            seats: Seats {
+                laws: seats.iter().map(|seat| seat.law).collect(),
+                stiffness: seats.iter().map(|seat| self.drawn.stiffness(seat)).collect(),
+                to_supports: DMatrix::from_fn(among, count, |i, j| seat(i, &of_supports[j])),
+                among: DMatrix::from_fn(among, among, |i, j| seat(i, &of_seats[j])),
+                cross: seats_to_tool,
+            },
+        }
+    }
+
+    /// What the tool sees of itself and of some displacements at each of the positions (m).
+    fn tool_sees(&self, positions: &[f64], displaced: &[&[f64]]) -> Vec<Seen> {
+        let factored = &self.drawn.factored;
         match &self.ports.tool {
             Carriage::Node(node) => {
                 let freedom = Freedom { node: *node, direction: Direction::Y };
-                let moved = self.drawn.factored.under(&[(freedom, 1.0)]);
-                let cross = spread(&there.iter().map(|own| moved[own.number()]).collect::<Vec<_>>());
-                let tool = vec![moved[freedom.number()]; positions.len()];
-                Foundation { supports, cross: vec![cross; positions.len()], tool }
+                let own = factored.under(&[(freedom, 1.0)])[freedom.number()];
+                let others = displaced.iter().map(|moved| moved[freedom.number()]).collect();
+                vec![Seen { own, others }; positions.len()]
             }
             Carriage::Along(chain) => {
-                let along = Along::new(&self.drawn.factored, chain, &there);
+                let along = Along::new(factored, chain);
                 // The chain was asked to reach along the whole shaft.
-                let seen = positions.iter().map(|x| along.at(*x));
-                let (cross, tool) = seen
-                    .map(|seen| {
-                        seen.map_or_else(|| (vec![0.0; numbers.len()], 0.0), |seen| (spread(&seen.others), seen.own))
-                    })
-                    .unzip();
-                Foundation { supports, cross, tool }
+                let still = || Seen { own: 0.0, others: vec![0.0; displaced.len()] };
+                positions.iter().map(|x| along.at(*x, displaced.iter().copied()).unwrap_or_else(still)).collect()
             }
         }
     }
 
     /// The structure under the forces (N) on its supports, in the order of
-    /// [`Condensed::reactions_under`](crate::solve::Condensed::reactions_under), and the tool's force (N) at x (m).
-    pub fn under(&self, reactions: &[f64], x: f64, force: f64) -> Displaced<'_> {
+    /// [`Condensed::reactions_under`](crate::solve::Condensed::reactions_under), the tool's force (N) at x (m), and seats that have given way (m).
+    pub fn under(&self, reactions: &[f64], x: f64, force: f64, seats: &[f64]) -> Displaced<'_> {
         let Ports { supports, tool } = &self.ports;
         let on_supports = supports.iter().zip(reactions).filter_map(|(own, force)| Some(((*own)?, *force)));
         let mut at_nodes: Vec<(Freedom, f64)> = on_supports.collect();
@@ -86,7 +103,7 @@ impl Base {
             Carriage::Node(node) => at_nodes.push((Freedom { node: *node, direction: Direction::Y }, -force)),
             Carriage::Along(chain) => inside.extend(chain.load(self.drawn.factored.structure(), x, -force)),
         }
-        self.drawn.factored.displaced(&at_nodes, &inside)
+        self.drawn.factored.displaced(&at_nodes, &inside, &self.drawn.feet(seats))
     }
 }
 

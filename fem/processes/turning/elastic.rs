@@ -9,7 +9,8 @@ use super::cut::Conditions;
 use super::machine::{Machine, Moment, Nose};
 use super::setup::Setup;
 use crate::joint::Joint;
-use crate::solve::{Condensed, Equilibrium, JointsError, solve_joints};
+use crate::process::Failure;
+use crate::solve::{Condensed, Equilibrium, JointsError, MOST_SEATS, Moved, System, solve_joints, solve_seated};
 
 /// A cut at one place and moment: force, depth, diameter, nose and supports.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,6 +65,8 @@ pub struct Deflection {
     pub supports: Equilibrium,
     /// How far these stand from their places, m.
     pub displaced: [f64; 2],
+    /// Displacements and path variables of the joints of the structure that are no springs.
+    pub seats: [[f64; MOST_SEATS]; 2],
     /// The shaft's own bending under the tool, m.
     pub shaft: f64,
     /// What supports and tool stand on, m.
@@ -79,11 +82,20 @@ pub struct Deflection {
 }
 
 impl Deflection {
-    /// How far joints and what moves supports have moved the shaft at headstock and tailstock, m.
-    pub fn ends(&self) -> [f64; 2] {
+    /// What joints, and what moves supports, have moved.
+    pub fn moved(&self) -> Moved {
         let y = self.supports.displacements;
-        [y[0] + self.displaced[0], y[1] + self.displaced[1]]
+        Moved { ends: [y[0] + self.displaced[0], y[1] + self.displaced[1]], seats: self.seats[0] }
     }
+}
+
+/// Joints in equilibrium: those of the ends, and the seats of the structure.
+struct Settled {
+    supports: Equilibrium,
+    /// Displacements and path variables.
+    seats: [[f64; MOST_SEATS]; 2],
+    /// What the seats add to the gap, m, and to its rate, m/N.
+    gap: [f64; 2],
 }
 
 /// The elastic part of a machine: what a deflection depends on.
@@ -109,7 +121,7 @@ impl<'a> Elastic<'a> {
     ///
     /// # Errors
     /// The joints found no equilibrium.
-    pub fn before(&self, i: usize, x: f64, angle: Option<f64>, last: &Cutting) -> Result<f64, JointsError> {
+    pub fn before(&self, i: usize, x: f64, angle: Option<f64>, last: &Cutting) -> Result<f64, Failure> {
         if self.feedback.is_none() {
             return Ok(0.0);
         }
@@ -134,7 +146,7 @@ impl<'a> Elastic<'a> {
     ///
     /// # Errors
     /// The joints found no equilibrium.
-    pub fn deflect(&self, i: usize, at: &Cutting) -> Result<Deflection, JointsError> {
+    pub fn deflect(&self, i: usize, at: &Cutting) -> Result<Deflection, Failure> {
         match self.feedback {
             Some(exponent) => self.fed_back(i, at, exponent),
             None => self.under(i, at.conditions.force, at, None),
@@ -145,26 +157,72 @@ impl<'a> Elastic<'a> {
     ///
     /// # Errors
     /// The joints found no equilibrium.
-    pub fn yielding(&self, i: usize, force: f64) -> Result<Equilibrium, JointsError> {
-        solve_joints(&self.joints, self.shaft.influence[i], &self.shaft.constraint, (force, [0.0; 2]), None)
+    pub fn yielding(&self, i: usize, force: f64) -> Result<Equilibrium, Failure> {
+        Ok(self.settled(i, force, None, None)?.supports)
+    }
+
+    /// The joints under a given force, with supports that stand off by `displaced` (m) and rests out of line, or, where
+    /// that is `None`, with all of them in their places.
+    fn settled(
+        &self,
+        i: usize,
+        force: f64,
+        displaced: Option<[f64; 2]>,
+        near: Option<&Deflection>,
+    ) -> Result<Settled, Failure> {
+        let Some((constraint, bent)) = self.shaft.whole().filter(|_| !self.shaft.seats().is_empty()) else {
+            let (influence, s) = (self.shaft.influence[i], &self.shaft.constraint);
+            // A support that is moved leaves what it would take to move it back.
+            let left = displaced.map_or([0.0; 2], |moved| {
+                [0, 1].map(|k| self.shaft.bent_forces[k] - s[k][0] * moved[0] - s[k][1] * moved[1])
+            });
+            let supports = solve_joints(&self.joints, influence, s, (force, left), near.map(|d| &d.supports))?;
+            return Ok(Settled { supports, seats: [[0.0; MOST_SEATS]; 2], gap: [0.0; 2] });
+        };
+        let influence = self.shaft.whole_influence(i);
+        let left: Vec<f64> = (0..bent.len())
+            .map(|k| {
+                displaced.map_or(0.0, |moved| bent[k] - constraint[(k, 0)] * moved[0] - constraint[(k, 1)] * moved[1])
+            })
+            .collect();
+        let system = System { influence: &influence, constraint, bent_forces: &left };
+        let path =
+            near.map(|d| d.supports.path.iter().chain(&d.seats[1]).take(bent.len()).copied().collect::<Vec<_>>());
+        let told = |error| match &self.setup.base {
+            Some(base) => base.drawn.failure(error),
+            None => error.into(),
+        };
+        let all = solve_seated(&self.joints, self.shaft.seats(), &system, force, path.as_deref()).map_err(told)?;
+        let ends = |of: &[f64]| [of[0], of[1]];
+        let seats = |of: &[f64]| std::array::from_fn(|k| of.get(2 + k).copied().unwrap_or(0.0));
+        let gap = |of: &[f64]| influence[2..].iter().zip(&of[2..]).map(|(g, own)| g * own).sum::<f64>();
+        Ok(Settled {
+            supports: Equilibrium {
+                forces: ends(&all.forces),
+                displacements: ends(&all.displacements),
+                displacement_rates: ends(&all.rates),
+                path: ends(&all.path),
+                iterations: all.iterations,
+            },
+            seats: [seats(&all.displacements), seats(&all.path)],
+            gap: [gap(&all.displacements), gap(&all.rates)],
+        })
     }
 
     /// The equilibrium under a given force, from that under a similar one if there is one.
-    fn under(&self, i: usize, force: f64, at: &Cutting, near: Option<&Deflection>) -> Result<Deflection, JointsError> {
-        let (influence, s, displaced) = (self.shaft.influence[i], &self.shaft.constraint, at.displacements);
-        // A support that is moved leaves what it would take to move it back.
-        let left = |k: usize| self.shaft.bent_forces[k] - s[k][0] * displaced[0] - s[k][1] * displaced[1];
-        let near = near.map(|d| &d.supports);
-        let supports = solve_joints(&self.joints, influence, s, (force, [left(0), left(1)]), near)?;
+    fn under(&self, i: usize, force: f64, at: &Cutting, near: Option<&Deflection>) -> Result<Deflection, Failure> {
+        let (influence, displaced) = (self.shaft.influence[i], at.displacements);
+        let Settled { supports, seats, gap } = self.settled(i, force, Some(displaced), near)?;
         let [compliance, founded] = [self.shaft.compliance[i], self.shaft.foundation_compliance[i]];
-        let [shaft, structure] = [compliance * force, founded * force];
+        let [shaft, structure] = [compliance * force, founded * force + gap[0]];
         let (carriage, carriage_rate) = self.carriage.yield_under(force);
         let [y, rates] = [supports.displacements, supports.displacement_rates];
         let moved = self.shaft.moved(i, [y[0] + displaced[0], y[1] + displaced[1]]);
         let total = shaft + structure + moved + carriage;
-        let rate = compliance + founded + influence[0] * rates[0] + influence[1] * rates[1] + carriage_rate;
+        let joints = influence[0] * rates[0] + influence[1] * rates[1] + gap[1];
+        let rate = compliance + founded + joints + carriage_rate;
         let error = at.nose.error(at.diameter, total).0;
-        Ok(Deflection { force, supports, displaced, shaft, structure, carriage, total, rate, error })
+        Ok(Deflection { force, supports, displaced, seats, shaft, structure, carriage, total, rate, error })
     }
 
     /// Equilibrium with force feedback: a gap between nose and work takes depth off the cut, and the force with it, P =
@@ -173,7 +231,7 @@ impl<'a> Elastic<'a> {
     ///
     /// t_d + e(P(t_d))/2 rises with t_d, so the root is bracketed; Newton's step is taken where it stays inside the
     /// bracket.
-    fn fed_back(&self, i: usize, at: &Cutting, exponent: f64) -> Result<Deflection, JointsError> {
+    fn fed_back(&self, i: usize, at: &Cutting, exponent: f64) -> Result<Deflection, Failure> {
         let conditions = &at.conditions;
         let force = |depth: f64| conditions.nominal * (depth / conditions.nominal_depth).powf(exponent);
         let free = self.under(i, 0.0, at, None)?;
@@ -210,7 +268,12 @@ impl<'a> Elastic<'a> {
             }
             depth = next;
         }
-        Err(JointsError { load: conditions.nominal, iterations: MAX_ITERATIONS, residual: force(high) - force(low) })
+        Err(JointsError::Diverged {
+            load: conditions.nominal,
+            iterations: MAX_ITERATIONS,
+            residual: force(high) - force(low),
+        }
+        .into())
     }
 }
 

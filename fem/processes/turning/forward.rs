@@ -11,7 +11,7 @@ use super::machine::{Machine, Moment};
 use super::rows::{self, ANGLE, BLANK, CHANGE, DIAMETER, X};
 use crate::process::{Failure, Rows};
 use crate::progress::Progress;
-use crate::solve::{Condensed, JointsError, ShaftError};
+use crate::solve::{Condensed, Moved, ShaftError};
 
 /// The shaft as the machine holds it, condensed to tool positions in m.
 ///
@@ -33,7 +33,7 @@ pub fn condense(machine: &Machine, positions: &[f64]) -> Result<Condensed, Failu
 ///
 /// # Errors
 /// No equilibrium.
-pub fn last_pass(machine: &Machine, elastic: &Elastic, i: usize, x: f64, part: usize) -> Result<Cutting, JointsError> {
+pub fn last_pass(machine: &Machine, elastic: &Elastic, i: usize, x: f64, part: usize) -> Result<Cutting, Failure> {
     let last = Cutting::on_part(machine, part, x);
     Ok(last.meeting(elastic.before(i, x, None, &last)?))
 }
@@ -62,7 +62,7 @@ fn on_part(
         let last = last_pass(machine, elastic, i, *x, part);
         let deflection = last.and_then(|last| elastic.deflect(i, &last));
         progress.advance(1);
-        deflection.map_err(Failure::from)
+        deflection
     };
     progress.expect(positions.len() as u64);
     positions.par_iter().enumerate().with_min_len(64).map(deflect).collect()
@@ -219,7 +219,7 @@ pub fn rest_forces(machine: &Machine, positions: &[f64], deflections: &[Deflecti
     if machine.setup.steady_rests.is_empty() {
         return Ok(Vec::new());
     }
-    let tools: Vec<(f64, [f64; 2])> = deflections.iter().map(|d| (d.force, d.ends())).collect();
+    let tools: Vec<(f64, Moved)> = deflections.iter().map(|d| (d.force, d.moved())).collect();
     Ok(condense(machine, positions)?.rest_forces(&machine.shaft(), &tools))
 }
 
@@ -229,13 +229,6 @@ impl From<ShaftError> for Failure {
             ShaftError::Loose { .. } => "give the shaft a stiffer support, or check its dimensions and stiffnesses",
             ShaftError::OffTheShaft { .. } => "keep every position between the ends of the shaft",
         };
-        Self { message: error.to_string(), help: help.into() }
-    }
-}
-
-impl From<JointsError> for Failure {
-    fn from(error: JointsError) -> Self {
-        let help = "check force, stiffnesses and contact parameters: values far from physical ones do not converge";
         Self { message: error.to_string(), help: help.into() }
     }
 }

@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::input::{ListedRow, Listing, Problem, Reader, did_you_mean, name_and_unit, number};
 use crate::process::estimates;
-use crate::solve::Foundation;
+use crate::solve::{Foundation, Seats};
 use crate::units::{COMPLIANCE, LENGTH, NUMBER, Unit};
 
 /// How far two readings of one pair may differ, in standard uncertainties, and where there are none, of their places' own.
@@ -156,7 +156,7 @@ impl Imported {
             (cross, weights.dot(&moved))
         };
         let (cross, tool) = positions.iter().map(seen).unzip();
-        Foundation { supports: DMatrix::from_fn(count, count, own), cross, tool }
+        Foundation { supports: DMatrix::from_fn(count, count, own), cross, tool, seats: Seats::default() }
     }
 }
 

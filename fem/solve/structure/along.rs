@@ -1,12 +1,10 @@
 //! What a structure yields with at places along a chain of its members, on which something stands.
 
-use std::collections::HashMap;
-
-use nalgebra::{DMatrix, DVector, RowVector3, RowVector6};
+use nalgebra::{RowVector3, SMatrix};
 
 use super::displaced::Load;
 use super::factored::Factored;
-use super::{Freedom, Structure, freedoms};
+use super::{Structure, freedoms};
 
 /// Members along x, and what stands on them: it is pushed along y at x, and stands at x + offset, turning with the member
 /// there.
@@ -36,54 +34,41 @@ impl Chain {
     }
 }
 
-/// Compliance of what stands on a chain of members, as it is seen there and by other freedoms.
+/// Compliance of what stands on a chain of members, and what it follows.
 pub struct Along<'s> {
     structure: &'s Structure,
     chain: &'s Chain,
-    /// Compliance between the freedoms of each member's ends, and of these with the others.
-    ends: Vec<DMatrix<f64>>,
-    others: Vec<DMatrix<f64>>,
+    /// Compliance between the freedoms of each member's ends.
+    ends: Vec<SMatrix<f64, 6, 6>>,
 }
 
-/// What a place of a chain sees; m/N.
+/// What a place of a chain sees.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seen {
-    /// Its displacement under a unit load on it.
+    /// Its displacement under a unit load on it, m/N.
     pub own: f64,
-    /// The displacements of the other freedoms under that load, and its own under theirs.
+    /// Its displacements where all freedoms are displaced, of unit loads what these see of a unit load on it.
     pub others: Vec<f64>,
 }
 
 impl<'s> Along<'s> {
-    /// The compliance along a chain, and across to some freedoms.
-    pub fn new(factored: &'s Factored, chain: &'s Chain, others: &[Freedom]) -> Self {
-        let structure = factored.structure();
-        // Neighbours share a node, and what a load on it does.
-        let mut under: HashMap<Freedom, Vec<f64>> = HashMap::new();
-        let of = |member: &usize| {
-            let numbers = freedoms(structure.members[*member].0);
-            for own in numbers {
-                under.entry(own).or_insert_with(|| factored.under(&[(own, 1.0)]));
-            }
-            let columns = numbers.map(|own| &under[&own]);
-            let ends = DMatrix::from_fn(6, 6, |i, j| columns[j][numbers[i].number()]);
-            let others = DMatrix::from_fn(others.len(), 6, |i, j| columns[j][others[i].number()]);
-            (ends, others)
-        };
-        let (ends, others) = chain.members.iter().map(of).unzip();
-        Self { structure, chain, ends, others }
+    /// The compliance along a chain.
+    pub fn new(factored: &'s Factored, chain: &'s Chain) -> Self {
+        Self { structure: factored.structure(), chain, ends: factored.of_ends(&chain.members) }
     }
 
-    /// What is pushed at x (m); `None` where its stand is beyond the ends of the chain.
-    pub fn at(&self, x: f64) -> Option<Seen> {
+    /// What is pushed at x (m), and follows each of these displacements of all freedoms; `None` where its stand is beyond the
+    /// ends of the chain.
+    pub fn at<'d>(&self, x: f64, displaced: impl IntoIterator<Item = &'d [f64]>) -> Option<Seen> {
         let (number, part) = self.chain.place(self.structure, x)?;
-        let inside = self.structure.members[self.chain.members[number]].1.inside(part);
+        let (ends, member) = &self.structure.members[self.chain.members[number]];
+        let (numbers, inside) = (freedoms(*ends), member.inside(part));
         // It moves with the member across, and with the member's turning times the way back from its stand.
         let way = RowVector3::new(0.0, 1.0, -self.chain.offset);
-        let follows: RowVector6<f64> = way * inside.follows;
-        let follows = DVector::from_iterator(6, follows.iter().copied());
-        let own = follows.dot(&(&self.ends[number] * &follows)) + (way * inside.yields * way.transpose())[(0, 0)];
-        Some(Seen { own, others: (&self.others[number] * &follows).iter().copied().collect() })
+        let follows = way * inside.follows;
+        let own = (follows * self.ends[number] * follows.transpose() + way * inside.yields * way.transpose())[(0, 0)];
+        let of_other = |moved: &[f64]| numbers.iter().zip(&follows).map(|(at, share)| share * moved[at.number()]).sum();
+        Some(Seen { own, others: displaced.into_iter().map(of_other).collect() })
     }
 }
 

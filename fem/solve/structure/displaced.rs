@@ -21,19 +21,31 @@ pub struct Displaced<'f> {
     structure: &'f Structure,
     freedoms: Vec<f64>,
     inside: Vec<Load>,
+    /// How far the foot of every spring is moved, m or rad.
+    feet: Vec<f64>,
 }
 
 impl Factored {
-    /// The structure under loads (N, N m) at nodes and within members, of which each bears one at most.
-    pub fn displaced(&self, at_nodes: &[(Freedom, f64)], inside: &[Load]) -> Displaced<'_> {
+    /// The structure under loads (N, N m) at nodes and within members, of which each bears one at most, and with feet of
+    /// springs that are moved, by the numbers of these (m, rad): against the other node or the ground.
+    pub fn displaced(&self, at_nodes: &[(Freedom, f64)], inside: &[Load], moved: &[(usize, f64)]) -> Displaced<'_> {
         let structure = self.structure();
         let mut loads = at_nodes.to_vec();
+        let mut feet = vec![0.0; structure.springs.len()];
+        for (number, by) in moved {
+            let spring = &structure.springs[*number];
+            feet[*number] = *by;
+            // It pushes with what would hold it there.
+            let force = spring.stiffness * by;
+            loads.push((spring.at, force));
+            loads.extend(spring.from.map(|node| (Freedom { node, ..spring.at }, -force)));
+        }
         for load in inside {
             let (ends, member) = &structure.members[load.member];
             let carried = member.inside(load.part).follows.transpose() * Vector3::from(load.force);
             loads.extend(freedoms(*ends).into_iter().zip(carried.iter().copied()));
         }
-        Displaced { structure, freedoms: self.under(&loads), inside: inside.to_vec() }
+        Displaced { structure, freedoms: self.under(&loads), inside: inside.to_vec(), feet }
     }
 }
 
@@ -87,7 +99,7 @@ impl Displaced<'_> {
         parts.into_iter().map(at).collect()
     }
 
-    /// Strain energy of every member and of every spring, J.
+    /// Half of force times way of every member and of every joint, J: the strain energy, where a joint is a spring.
     pub fn energies(&self) -> (Vec<f64>, Vec<f64>) {
         let of_member = |member: usize| {
             let (ends, own) = (self.ends(member), self.structure.members[member].1);
@@ -97,12 +109,13 @@ impl Displaced<'_> {
             });
             0.5 * (ends.dot(&(own.stiffness() * ends)) + by_load)
         };
-        let of_spring = |spring: &super::Spring| {
+        let of_spring = |(spring, foot): (&super::Spring, &f64)| {
             let way = spring.at.direction as usize;
             let other = spring.from.map_or(0.0, |node| self.node(node)[way]);
-            0.5 * spring.stiffness * (self.node(spring.at.node)[way] - other).powi(2)
+            let moved = self.node(spring.at.node)[way] - other;
+            0.5 * spring.stiffness * (moved - foot) * moved
         };
         let members = (0..self.structure.members.len()).map(of_member).collect();
-        (members, self.structure.springs.iter().map(of_spring).collect())
+        (members, self.structure.springs.iter().zip(&self.feet).map(of_spring).collect())
     }
 }

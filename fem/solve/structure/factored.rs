@@ -1,11 +1,12 @@
 //! A structure whose stiffness is factored.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, SMatrix};
 use nalgebra_sparse::{CooMatrix, CscMatrix};
 
 use super::error::StructureError;
-use super::{Direction, Freedom, Structure};
+use super::{Direction, Freedom, Structure, freedoms};
 use crate::solve::cholesky::{Factor, FactorError, Pattern, diagonal};
+use crate::solve::selected::Selected;
 
 /// Ratio of the softest motion's stiffness to that of its single freedoms below which nothing holds it: members a
 /// thousand times as slender as they are long still have 1e-10.
@@ -91,9 +92,28 @@ impl Factored {
         self.unknowns.iter().map(|own| own.map_or(0.0, |unknown| right[unknown])).collect()
     }
 
+    /// Displacements of all freedoms under a unit load on each of some.
+    pub fn under_each(&self, of: &[Freedom]) -> Vec<Vec<f64>> {
+        of.iter().map(|own| self.under(&[(*own, 1.0)])).collect()
+    }
+
+    /// Compliance between the freedoms of the ends of each of some members, symmetric; m/N.
+    pub fn of_ends(&self, members: &[usize]) -> Vec<SMatrix<f64, 6, 6>> {
+        let selected = Selected::of(&self.factor);
+        let of = |member: &usize| {
+            let own = freedoms(self.structure.members[*member].0).map(|own| self.unknowns[own.number()]);
+            SMatrix::from_fn(|i, j| match (own[i], own[j]) {
+                // The ends of a member are joined by its stiffness, so that their entries are in the pattern.
+                (Some(i), Some(j)) => selected.as_ref().and_then(|own| own.at(i, j)).unwrap_or(f64::NAN),
+                _ => 0.0,
+            })
+        };
+        members.iter().map(of).collect()
+    }
+
     /// Compliance between freedoms, symmetric: the displacement of the first under a unit load on the second; m/N.
     pub fn compliance(&self, of: &[Freedom]) -> DMatrix<f64> {
-        let columns: Vec<Vec<f64>> = of.iter().map(|own| self.under(&[(*own, 1.0)])).collect();
+        let columns = self.under_each(of);
         DMatrix::from_fn(of.len(), of.len(), |i, j| 0.5 * (columns[j][of[i].number()] + columns[i][of[j].number()]))
     }
 }

@@ -63,15 +63,16 @@ fn a_straight_structure_is_a_shaft() {
     let factored = structure.factored().unwrap();
     let ends = [freedom(0, Direction::Y), freedom(2, Direction::Y)];
     let chain = Chain { members: vec![0, 1], offset: 0.0 };
-    let along = Along::new(&factored, &chain, &ends);
+    let (along, of_ends) = (Along::new(&factored, &chain), factored.under_each(&ends));
+    let at = |x| along.at(x, of_ends.iter().map(Vec::as_slice));
     for (node, x) in [(0, 0.0), (1, 0.4), (2, 0.8), (3, 1.2), (4, 1.6)] {
         let plain = shaft.solve(&[(node, 1.0)]).unwrap().displacement;
-        let seen = along.at(x).unwrap();
+        let seen = at(x).unwrap();
         for (found, expected) in [(seen.own, plain[node]), (seen.others[0], plain[0]), (seen.others[1], plain[4])] {
             assert!((found - expected).abs() < 1e-10 * plain[node].abs(), "{x}: {found} {expected}");
         }
     }
-    assert_eq!(along.at(1.7), None);
+    assert_eq!(at(1.7), None);
 }
 
 /// Maxwell and Betti, and the balance of a moved ground: a structure on springs follows what its ground does.
@@ -132,9 +133,10 @@ fn a_force_within_a_member_does_the_work_that_is_taken_up() {
     let factored = Structure { nodes, members, springs, held: clamped(3).to_vec() }.factored().unwrap();
     for offset in [0.0, 0.05, -0.03] {
         let chain = Chain { members: vec![0], offset };
-        let seen = Along::new(&factored, &chain, &[freedom(2, Direction::X)]).at(0.3).unwrap();
+        let along_x = factored.under(&[(freedom(2, Direction::X), 1.0)]);
+        let seen = Along::new(&factored, &chain).at(0.3, [&along_x[..]]).unwrap();
         let load = chain.load(factored.structure(), 0.3, 500.0).unwrap();
-        let displaced = factored.displaced(&[], &[load]);
+        let displaced = factored.displaced(&[], &[load], &[]);
         let line = displaced.line(0, 6);
         let (members, springs) = displaced.energies();
         let work: f64 = members.iter().chain(&springs).sum();

@@ -1,6 +1,8 @@
 //! A shaft on a structure: closed forms of beams and frames, and the whole machine as another program assembles it.
 
 use super::rig::*;
+use crate::processes::turning::condense;
+use crate::processes::turning::elastic::{Cutting, Elastic};
 use crate::validation::bench::tables;
 use crate::validation::{Case, Tolerance};
 
@@ -34,7 +36,7 @@ fn bar() -> Bar {
 }
 
 pub fn cases() -> Vec<Case> {
-    [bed(), overhang(), portal(), machine()].concat()
+    [bed(), overhang(), portal(), machine(), seats(), secant()].concat()
 }
 
 /// What a structure adds to the gap at x (m) under 400 N on the uniform shaft between centres, m.
@@ -149,4 +151,77 @@ fn machine() -> Vec<Case> {
         PLACES.iter().zip(expected).map(at).collect::<Vec<_>>()
     };
     held.iter().flat_map(rows).collect()
+}
+
+/// Joints that are no springs, where statics gives their forces: the seat of the headstock bears Q = P(1 − x/L), and what it
+/// gives way by, e, moves the work at x by e(1 − x/L).
+fn seats() -> Vec<Case> {
+    const CONTACT: &str = "a contact under a preload, y = c*(Q + P)^n - c*P^n, and statics";
+    const CLEARANCE: &str = "a clearance that the force crosses, and statics";
+    let (on_bed, effects) = on_bed();
+    let (before, after) = on_bed.split_once("[structure.headstock-seat]").unwrap_or_default();
+    let with = |seat: &str| {
+        let after = after.replacen("along = \"y\"", &format!("along = \"-y\"\n{seat}"), 1);
+        lathe(&format!("{before}[structure.headstock-seat]{after}"), effects)
+    };
+    let plain = lathe(&on_bed, effects);
+    let at = |seated: &Option<Lathe>, x: f64| match (seated, &plain) {
+        (Some(seated), Some(plain)) => observed(seated, x, &[]) - observed(plain, x, &[]),
+        _ => f64::NAN,
+    };
+    let mut cases = Vec::new();
+    for x in [0.0, 0.15, 0.45] {
+        let share = 1.0 - x / 0.6;
+        let force = 450.0 * share;
+        for preload in [0.0, 2000.0f64] {
+            let e = 0.3e-6 * ((force + preload).powf(0.6) - preload.powf(0.6));
+            let seated = with(&format!("c = \"0.3 um/N^n\"\nn = 0.6\npreload = \"{preload} N\""));
+            let name = format!("headstock on a contact under {preload:.0} N, x = {:.0} mm", 1e3 * x);
+            let pair = (2.0 * share * e, at(&seated, x), "m");
+            cases.push(row(name, "change of the diameter", pair, FRAME, CONTACT));
+        }
+        let pair = (2.0 * share * 4e-6, at(&with("gap = \"4 um\""), x), "m");
+        let name = format!("headstock with 4 um of clearance, x = {:.0} mm", 1e3 * x);
+        cases.push(row(name, "change of the diameter", pair, FRAME, CLEARANCE));
+    }
+    cases
+}
+
+/// A contact in a seat whose force statics does not give: the same lathe with a spring in its place that yields as much under
+/// the force that it then bears, found by bisection over linear lathes.
+fn secant() -> Vec<Case> {
+    const SECANT: &str = "a spring of the contact's secant stiffness, by bisection";
+    let (on_bed, effects) = on_bed();
+    let chuck = on_bed.replace("type = \"centres\"", "type = \"chuck-and-centre\"");
+    let (before, after) = chuck.split_once("[structure.tailstock-seat]").unwrap_or_default();
+    let with = |stiffness: f64, seat: &str| {
+        let after = after.replacen("along = \"y\"", &format!("along = \"-y\"\n{seat}"), 1);
+        let after = after.replacen("400 +- 100 N/um", &format!("{stiffness} N/um"), 1);
+        lathe(&format!("{before}[structure.tailstock-seat]{after}"), effects)
+    };
+    let contact = |force: f64| 0.5 * force.sqrt();
+    let at = |x: f64| {
+        // The stiffness of the spring rises with what is tried, and with it the stiffness that the contact would have.
+        let excess = |log: f64| {
+            let stiffness = log.exp();
+            let force = with(stiffness, "").as_ref().map_or(f64::NAN, |lathe| tailstock_force(lathe, x));
+            1.0 / (1.0 / 400.0 + contact(force) / force) - stiffness
+        };
+        let stiffness = bisect(5f64.ln(), 400f64.ln(), |log| -excess(log)).exp();
+        let [spring, seated] = [with(stiffness, ""), with(400.0, "c = \"0.5 um/N^n\"\nn = 0.5")]
+            .map(|lathe| lathe.as_ref().map_or(f64::NAN, |lathe| observed(lathe, x, &[])));
+        let name = format!("tailstock on a contact, chuck and centre, x = {:.0} mm", 1e3 * x);
+        row(name, "diameter error", (spring, seated, "m"), FRAME, SECANT)
+    };
+    [0.2, 0.4, 0.55].map(at).to_vec()
+}
+
+/// Force on the tailstock with the tool at x (m), N.
+fn tailstock_force(lathe: &Lathe, x: f64) -> f64 {
+    let solve = || {
+        let shaft = condense(lathe.machine(), &[x]).ok()?;
+        let at = Cutting::new(lathe.machine(), &lathe.machine().moment_on(1, x), lathe.setup().conditions(x, 0.0));
+        Elastic::new(lathe.machine(), &shaft).deflect(0, &at).ok().map(|d| d.supports.forces[1])
+    };
+    solve().unwrap_or(f64::NAN)
 }

@@ -23,7 +23,7 @@ const BEGUN: f64 = 0.02;
 pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
     let (curve, displacements) = (&machine.curve, forward.prediction);
     if let Some(base) = &machine.setup.base {
-        return Ok(structure::report(machine, base, forward));
+        return structure::report(machine, base, forward);
     }
     let (up, down) = displacements.split_at(displacements.len() / 2);
     Ok(RunReport {

@@ -9,7 +9,7 @@ use super::super::setup::Setup;
 use super::largest::largest;
 use crate::process::structure::{Port, Shares};
 use crate::process::{
-    Animation, Arrow, Cell, Column, Field, Figure, Forward, Frame, Grid, Part, RunReport, Sketch, Table, View,
+    Animation, Arrow, Cell, Column, Failure, Field, Figure, Forward, Frame, Grid, Part, RunReport, Sketch, Table, View,
 };
 use crate::solve::structure::Direction;
 use crate::units::{FORCE, LENGTH, STIFFNESS};
@@ -20,24 +20,29 @@ const STEPS: usize = 10;
 const MOST_SHOWN: usize = 20;
 
 /// Everything that a run reports.
-pub fn report(machine: &Machine, base: &Arc<Base>, forward: &Forward) -> RunReport {
+///
+/// # Errors
+/// The joints of the structure found no equilibrium.
+pub fn report(machine: &Machine, base: &Arc<Base>, forward: &Forward) -> Result<RunReport, Failure> {
     let most = machine.setup.max_force;
     let mut shares = Shares::new(&base.drawn);
-    (0..base.loads.len()).for_each(|load| shares.add(&base.pushed(load, most), most));
+    for load in 0..base.loads.len() {
+        shares.add(&base.pushed(load, most)?, most);
+    }
     let figures = vec![largest(forward), pushed(base, &shares)];
-    RunReport {
+    Ok(RunReport {
         profile: Table::of_rows(
             (COORDINATES, &[LOAD, DIAL, FORCE_OF_ROW, BRANCH]),
             forward.programme,
             &OBSERVABLES[0],
             forward.prediction,
         ),
-        tables: vec![("compliance", compliance(base)), ("structure", table(&shares))],
+        tables: vec![("compliance", compliance(base, most)?), ("structure", table(&shares))],
         figures,
-        sketch: Some(sketch(&machine.setup, base)),
+        sketch: Some(sketch(&machine.setup, base)?),
         animation: Some(animation(&machine.setup, base.clone())),
         ..RunReport::default()
-    }
+    })
 }
 
 /// The name of a place: that of its node, with the direction.
@@ -66,18 +71,19 @@ fn pushed(base: &Base, shares: &Shares) -> Figure {
     figure
 }
 
-/// Reading of every dial per force at every place.
-fn compliance(base: &Base) -> Table {
+/// Reading of every dial per force at every place, under the largest (N).
+fn compliance(base: &Base, most: f64) -> Result<Table, Failure> {
     let all = || (0..base.loads.len()).flat_map(|load| (0..base.dials.len()).map(move |dial| (load, dial)));
     let numbers = |of: fn((usize, usize)) -> usize| all().map(|pair| 1.0 + of(pair) as f64).collect();
-    let values = all().map(|(load, dial)| 1e9 * base.compliance(load, dial)).collect();
-    Table {
+    let per_force = |(load, dial)| Ok(1e9 * base.reading(load, dial, most)? / most);
+    let values = all().map(per_force).collect::<Result<_, Failure>>()?;
+    Ok(Table {
         columns: vec![
             Column::numbers("load", None, numbers(|pair| pair.0)),
             Column::numbers("dial", None, numbers(|pair| pair.1)),
             Column::numbers("compliance", Some("um/kN"), values),
         ],
-    }
+    })
 }
 
 /// What every part adds, place by place.
@@ -97,13 +103,13 @@ fn along(port: &Port, force: f64) -> [f64; 2] {
 }
 
 /// The machine pushed at the first place.
-fn sketch(setup: &Setup, base: &Base) -> Sketch {
+fn sketch(setup: &Setup, base: &Base) -> Result<Sketch, Failure> {
     let nodes = &base.drawn.factored.structure().nodes;
-    let mut parts = base.drawn.sketch(&base.pushed(0, setup.max_force));
-    let Some(first) = base.loads.first() else { return Sketch::default() };
+    let mut parts = base.drawn.sketch(&base.pushed(0, setup.max_force)?);
+    let Some(first) = base.loads.first() else { return Ok(Sketch::default()) };
     let label = format!("{:.0}", FORCE.shown(setup.max_force));
     parts.push(Part::Force { at: nodes[first.at.node], force: along(first, setup.max_force), label });
-    Sketch { title: format!("the machine pushed at {}", name(base, first)), parts }
+    Ok(Sketch { title: format!("the machine pushed at {}", name(base, first)), parts })
 }
 
 /// A force that rises at every place, one after the other.
@@ -113,7 +119,8 @@ fn animation(setup: &Setup, base: Arc<Base>) -> Animation {
     let frame = move |i: usize| {
         let (load, step) = (i / STEPS, i % STEPS + 1);
         let pushed = most * (step as f64 / STEPS as f64);
-        let displaced = base.pushed(load, pushed);
+        // Under the largest force an equilibrium was found, and less leads to it.
+        let Ok(displaced) = base.pushed(load, pushed) else { return Frame::default() };
         let mut grid = Grid::default();
         let bodies = base.drawn.bodies(0);
         let mut displacement = base.drawn.draw(&displaced, &mut grid);

@@ -229,7 +229,7 @@ impl Scene {
     /// Places of the nodes and their deflections, m. One of them stands under the tool, where the line has its kink.
     fn line(&self, pass: &Pass, tool: usize) -> Vec<(f64, f64)> {
         let deflection = &pass.deflections[tool];
-        let all = self.shaft.line(tool, deflection.force, deflection.ends());
+        let all = self.shaft.line(tool, deflection.force, &deflection.moved());
         let at = |i: usize| all[i];
         let (x, first) = (self.tools[tool], self.tools.len());
         let mut line: Vec<(f64, f64)> = self.nodes.iter().enumerate().map(|(i, x)| (*x, at(first + i))).collect();
@@ -251,7 +251,7 @@ impl Scene {
     fn markers(&self, pass: &Pass, tool: usize) -> Vec<Marker> {
         let deflection = &pass.deflections[tool];
         let supports = &deflection.supports;
-        let supports_at = self.shaft.supports_under(tool, deflection.force, deflection.ends());
+        let supports_at = self.shaft.supports_under(tool, deflection.force, &deflection.moved());
         let ends = [supports_at[0], supports_at[1]];
         let on_axis = |x, displacement, force| Marker { at: [x, 0.0, 0.0], displacement, force };
         let mut markers = vec![on_axis(0.0, ends[0], -supports.forces[0])];
@@ -263,7 +263,7 @@ impl Scene {
         }
         let x = self.tools[tool];
         let nose = [x, -0.5 * self.setup.diameter(x), 0.0];
-        let work = self.shaft.line(tool, deflection.force, deflection.ends())[tool];
+        let work = self.shaft.line(tool, deflection.force, &deflection.moved())[tool];
         markers.push(Marker { at: nose, displacement: work - deflection.total, force: deflection.force });
         markers
     }

@@ -6,6 +6,7 @@ use super::super::machine::Machine;
 use super::structure;
 use crate::joint::Joint;
 use crate::process::{Failure, Part, Sketch};
+use crate::solve::Moved;
 use crate::units::{FORCE, LENGTH, STIFFNESS};
 
 /// Nodes of the bent line.
@@ -23,9 +24,10 @@ pub fn sketch(machine: &Machine, positions: &[f64], deflections: &[Deflection]) 
     let nodes = (0..=NODES).map(|i| length * i as f64 / NODES as f64);
     let all: Vec<f64> = std::iter::once(tool).chain(nodes).collect();
     let shaft = condense(machine, &all)?;
-    let line = shaft.line(0, deflection.force, deflection.supports.displacements);
+    let joints = Moved { ends: deflection.supports.displacements, ..deflection.moved() };
+    let line = shaft.line(0, deflection.force, &joints);
     // What stands out of line is there without the force too.
-    let before = shaft.line(0, 0.0, [0.0; 2]);
+    let before = shaft.line(0, 0.0, &Moved::default());
     let bent = |i: usize| ([all[i], 0.0], [0.0, line[i] - before[i]]);
     let mut parts = Vec::new();
     if let Some(base) = &setup.base

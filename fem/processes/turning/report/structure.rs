@@ -11,8 +11,8 @@ use crate::units::{LENGTH, STIFFNESS};
 
 /// The structure with the tool at position number `i`, x (m).
 pub fn standing<'b>(base: &'b Base, shaft: &Condensed, (i, x): (usize, f64), d: &Deflection) -> Option<Displaced<'b>> {
-    let reactions = shaft.reactions_under(i, d.force, d.ends())?;
-    Some(base.under(&reactions, x, d.force))
+    let reactions = shaft.reactions_under(i, d.force, &d.moved())?;
+    Some(base.under(&reactions, x, d.force, &d.seats[0]))
 }
 
 /// What each part adds to the compliance under the tool at every position (m); `None` where there is no structure, or no
