@@ -55,6 +55,105 @@ fn the_scatter_is_that_of_milled_parts() {
     assert!((told - widest).abs() < 1e-9, "{told} um, by its own predictions {widest} um");
 }
 
+/// A part with bosses, clamped half way between its supports: its bosses come out askew, and parallel where a clamp stands above
+/// each support.
+#[test]
+fn bosses_come_out_askew_where_the_clamp_is_wrong() {
+    let place = Place::new();
+    let wrong = model("bosses.toml");
+    place.write("bosses.toml", wrong.clone());
+    let answer = place.fem(&["run", "bosses.toml", "-o", "wrong"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+    let clamp = "at = \"160 mm\"\nforce = \"3 kN\"";
+    let right = "at = \"30 mm\"\nforce = \"1.5 kN\"\n[[clamp]]\nat = \"290 mm\"\nforce = \"1.5 kN\"";
+    place.write("right.toml", wrong.replacen(clamp, right, 1));
+    let answer = place.fem(&["run", "right.toml", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
+    let askew = json["findings"]["faces"]["list"][1]["parallel"].as_f64().unwrap();
+    assert!(askew.abs() < 1e-9, "{askew}");
+}
+
+/// A support's own spring is one beside which the others are rigid; and a force that is recorded over the cutter's place is, row
+/// by row, the force of that place.
+#[test]
+fn supports_may_differ_and_clamps_may_change_their_force() {
+    let place = Place::new();
+    let heights = |text: String| -> Vec<f64> {
+        place.write("part.toml", text);
+        let answer = place.fem(&["run", "part.toml", "-o", "out"]);
+        assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+        let profile = place.read("out/profile.csv");
+        let column =
+            profile.lines().next().unwrap().split(',').position(|name| name.starts_with("height_error")).unwrap();
+        profile.lines().skip(1).map(|line| line.split(',').nth(column).unwrap().parse().unwrap()).collect()
+    };
+    let part = |support: &str, first: &str, effects: &str| {
+        format!(
+            "process = \"fixture\"\nworkpiece = {{ material = \"steel\", length = \"400 mm\", width = \"60 mm\", height = \"50 mm\" }}\n\
+             support = [{{ at = \"50 mm\"{support} }}, {{ at = \"350 mm\"{support} }}]\n\
+             clamp = [{{ at = \"150 mm\", force = {first} }}, {{ at = \"250 mm\", force = \"2 kN\" }}]\n\
+             sweep = {{ positions = 5 }}\n{effects}"
+        )
+    };
+    let by_effects = "[effects.support-compliance]\nstiffness = \"300 N/um\"\n[effects.contact-joint]\nc = \"0.3 um/N^n\"\nn = 0.6\n";
+    let by_itself = ", stiffness = \"300 N/um\", c = \"0.3 um/N^n\", n = 0.6";
+    let (one, other) = (heights(part("", "\"3 kN\"", by_effects)), heights(part(by_itself, "\"3 kN\"", "")));
+    assert_eq!(one.len(), 5);
+    one.iter().zip(&other).for_each(|(a, b)| assert!((a - b).abs() < 1e-9, "{a} {b}"));
+    place.write("clamp.csv", "x [mm],force [kN]\n0,1\n400,5\n");
+    let recorded = heights(part("", "{ file = \"clamp.csv\" }", ""));
+    for (i, height) in recorded.iter().enumerate() {
+        let there = heights(part("", &format!("\"{} kN\"", 1 + i), ""))[i];
+        assert!((height - there).abs() < 1e-9, "{i}: {height} {there}");
+    }
+}
+
+/// (in the model with bosses, replaced by, part of the message, part of the remedy)
+const BOSSES: &[Mistake] = &[
+    (
+        "width = \"60 mm\"",
+        "width = \"60 mm\"\nlength = \"320 mm\"",
+        "`length` stands beside `segments`",
+        "leave `length` out",
+    ),
+    ("height = \"25 mm\"", "heigth = \"25 mm\"", "`heigth` is no key", "did you mean `height`?"),
+    ("at = \"290 mm\"", "at = \"330 mm\"", "330 mm is beyond the part", "the part is 320 mm long"),
+    ("at = \"290 mm\"", "at = \"290 mm\"\nn = 0.5", "there is no contact", "add `c`"),
+    (
+        "[sweep]",
+        "[cutter]\nfrom = \"100 mm\"\nto = \"200 mm\"\n[sweep]",
+        "nothing of the part is 50 mm high from 100 mm to 200 mm",
+        "the highest segments",
+    ),
+];
+
+#[test]
+fn parts_with_bosses_that_cannot_be_are_told() {
+    let good = model("bosses.toml");
+    for (replaced, by, message, remedy) in BOSSES {
+        let place = Place::new();
+        let text = good.replacen(replaced, by, 1);
+        assert_ne!(text, good, "{replaced}");
+        place.write("bosses.toml", text);
+        let answer = place.fem(&["run", "bosses.toml"]);
+        assert_eq!(answer.status, 2, "{replaced} {by}: {}", answer.out);
+        let told = answer.err.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
+        assert!(told.contains(message) && told.contains(remedy), "{replaced} -> {by}: {}", answer.err);
+    }
+    // A height measured in the valley.
+    let place = Place::new();
+    place.write("bosses.toml", good);
+    place.write("measured.csv", "x [mm],height_error [um]\n10,3\n160,2\n300,3\n");
+    let answer = place.fem(&["compare", "bosses.toml", "--with", "measured.csv"]);
+    assert_eq!(answer.status, 2);
+    assert!(
+        answer.err.contains("at x = 160 mm the part is 25 mm high, and its top, which is milled, at 50 mm"),
+        "{}",
+        answer.err
+    );
+}
+
 /// (in the model, replaced by, part of the message, part of the remedy)
 const CASES: &[Mistake] = &[
     ("height = \"40 mm\"", "hight = \"40 mm\"", "`hight` is no key of `workpiece`", "did you mean `height`?"),

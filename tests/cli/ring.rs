@@ -99,6 +99,19 @@ const CASES: &[Mistake] = &[
     ("force_per_depth = \"1 kN/mm\"", "", "`copying` needs the force of the cut", "remove the effect"),
     ("[effects.copying]\nstiffness", "[effects.cutting-heat]\ntemperature_rise", "`temperature_rise`", "K"),
     ("arc = \"24 +- 4 deg\"", "arc = \"24 +- 4 mm\"", "not an angle", "write it in deg"),
+    ("jaws = 3", "grip = \"outer\"\njaws = 3", "`grip` is", "\"outside\""),
+    (
+        "\"least-squares-circle\" ",
+        "\"absolute\"\ngauge = \"v-block\" ",
+        "a bore does not lie in a V-block",
+        "grip = \"inside\"",
+    ),
+    (
+        "\"least-squares-circle\" ",
+        "\"absolute\"\nblock_angle = \"60 deg\" ",
+        "no V-block measures here",
+        "gauge = \"v-block\"",
+    ),
     ("[effects.copying]", "[effects.tool-wear]", "is an effect of `turning`, not of `ring`", "fem effects ring"),
 ];
 
@@ -123,6 +136,31 @@ fn what_cannot_be_computed_is_told() {
         assert_eq!(answer.status, 1, "{}", answer.err);
         assert!(answer.err.split_whitespace().collect::<Vec<_>>().join(" ").contains(message), "{}", answer.err);
     }
+}
+
+/// A ring that is held by its bore is spread as it would be squeezed, and turned on its outside; what jaws throw outwards holds it
+/// the more, and a V-block shows three waves twice.
+#[test]
+fn a_ring_is_held_by_its_bore() {
+    let place = Place::new();
+    let text = model("ring.toml").replace("jaws = 3", "grip = \"inside\"\njaws = 3");
+    let text = text.replace("\"400 rpm\"", "\"4000 rpm\"").replacen(
+        "[effects.jaw",
+        "[tolerance]\nroundness = \"60 um\"\n[effects.jaw",
+        1,
+    );
+    place.write(
+        "arbor.toml",
+        text.replacen(
+            "reference = \"least-squares-circle\"",
+            "reference = \"least-squares-circle\"\ngauge = \"v-block\"",
+            1,
+        ),
+    );
+    let answer = place.fem(&["run", "arbor.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+    assert_eq!(place.fem(&["compare", "arbor.toml", "--with", "out/arbor/profile.csv"]).status, 0);
 }
 
 #[test]

@@ -1,8 +1,9 @@
 //! The least force of the jaws that still holds the ring against the cut.
 //!
-//! The jaws hold the moment of the cutting force by friction: n·μ·F·Ro ≥ S·F_c·Ri while they press with F = F₀ − m·r·ω² (VDI
+//! The jaws hold the moment of the cutting force by friction: n·μ·F·R ≥ S·F_c·r, R the radius that they hold and r that which is cut, while they press with F = F₀ ∓ m·r·ω² (VDI
 //! 3106:2004, of a chuck that holds by its jaws alone; forces of feed and thrust are held by stops).
 
+use super::grip::Grip;
 use super::machine::Machine;
 use super::setup::Setup;
 use crate::process::Advice;
@@ -11,11 +12,13 @@ use crate::units::{FORCE, MICRO};
 /// Force of each jaw at standstill that holds the cut with the margin that is asked for, N; `None` where the model does not
 /// know the cut, or the friction.
 pub fn least_force(machine: &Machine) -> Option<f64> {
-    let Setup { cutting_force, friction, margin, inner_radius, outer_radius, .. } = &*machine.setup;
+    let setup = &machine.setup;
+    let Setup { cutting_force, friction, margin, grip, .. } = &**setup;
     let jaws = machine.jaw_angles.len() as f64;
-    let while_boring = margin * (*cutting_force)? * inner_radius / (jaws * (*friction)? * outer_radius);
-    let speed = machine.setup.speed();
-    Some(while_boring + machine.jaw_moment * speed * speed)
+    let while_cut = margin * (*cutting_force)? * setup.cut_radius() / (jaws * (*friction)? * setup.held_radius());
+    let (speed, moment) = (setup.speed(), machine.jaw_moment);
+    let flies = moment * speed * speed;
+    Some(if *grip == Grip::Outside { while_cut + flies } else { (while_cut - flies).max(0.0) })
 }
 
 /// Says that the jaws do not hold the cut, where the model knows that.
@@ -29,7 +32,7 @@ pub fn slips(machine: &Machine) -> Option<String> {
     ))
 }
 
-/// What the jaws should press with, given the deviation of the bore, m.
+/// What the jaws should press with, given the deviation of the cut surface, m.
 pub fn advice(machine: &Machine, deviation: &[f64]) -> Vec<Advice> {
     let Some(least) = least_force(machine) else { return Vec::new() };
     let (force, margin) = (machine.setup.jaw_force, machine.setup.margin);

@@ -7,6 +7,6 @@ use crate::units::MICRO;
 pub const ALLOWED: AllowedWords = AllowedWords {
     within: "radius",
     about: "limits of the radial deviation: ±10 um, 0 um to 20 um",
-    form: Some(("roundness", "largest less smallest radius of the bore")),
+    form: Some(("roundness", "largest less smallest radius")),
     kind: MICRO,
 };

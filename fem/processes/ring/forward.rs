@@ -1,24 +1,29 @@
-//! Deviation of the bore in every row: what the jaws squeeze, and what the cut adds.
+//! Deviation of the cut surface in every row: what the jaws squeeze, and what the cut adds.
 
 use super::circle::evenly;
+use super::grip::Grip;
 use super::machine::{BorePoint, Machine};
 use super::response::{Proportions, Response};
 use super::rows::{self, ANGLE_OF_ROW, CLAMPED, JAW_FORCE, ORIENTATION, SPEED, STATE};
 use super::setup::Body;
 use crate::process::{Failure, Forward, Rows};
 
-/// Radial displacement of the bore per newton of jaw force at an angle (rad), m/N, positive outwards.
-pub type BoreMotion = Box<dyn Fn(f64) -> f64>;
+/// Radial displacement of the cut surface per newton of jaw force at an angle (rad), m/N, positive outwards.
+pub type Motion = Box<dyn Fn(f64) -> f64>;
 
-/// The bore under the machine's jaws, the ring solved once for all readings of a model.
+/// The cut surface under the machine's jaws, the ring solved once for all readings of a model.
+///
+/// By Betti's law the outside moves under a force on the bore as the bore under the same force on the outside, outwards both; and
+/// jaws in the bore press outwards, where those around it press inwards.
 ///
 /// # Errors
 /// The jaws cannot hold the ring, or it cannot be computed.
-pub fn bore(machine: &Machine) -> Result<BoreMotion, Failure> {
+pub fn squeezed(machine: &Machine) -> Result<Motion, Failure> {
     let (setup, jaws) = (&machine.setup, machine.jaws()?);
     let poisson_ratio = setup.material.poisson_ratio;
     // Rings are solved with E = b = 1.
-    let compliance = 1.0 / (setup.material.youngs_modulus * setup.width);
+    let sign = if setup.grip == Grip::Outside { 1.0 } else { -1.0 };
+    let compliance = sign / (setup.material.youngs_modulus * setup.width);
     let mesh = match &setup.body {
         Body::Cells(mesh) => *mesh,
         Body::Drawn(drawn) => {
@@ -38,14 +43,14 @@ pub fn bore(machine: &Machine) -> Result<BoreMotion, Failure> {
 /// The ring cannot be computed.
 pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     let setup = &machine.setup;
-    let bore = bore(machine)?;
+    let motion = squeezed(machine)?;
     let one = |row: usize| {
         let value = |column| rows.get(column, row);
         let angle = value(ANGLE_OF_ROW).unwrap_or(0.0);
         let force = value(JAW_FORCE).unwrap_or(setup.jaw_force);
-        let unit = bore(angle);
+        let unit = motion(angle);
         if value(STATE) == Some(CLAMPED) {
-            // Before boring, at standstill.
+            // Before it is cut, at standstill.
             return unit * force;
         }
         let speed = value(SPEED).unwrap_or(setup.speed());

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::grip::Grip;
 use super::jaws::{self, Jaw};
 use super::setup::Setup;
 use crate::process::{self, Command, Failure};
@@ -9,14 +10,14 @@ use crate::process::{self, Command, Failure};
 /// An effect on this machine, with `N` parameters.
 pub type Effect<const N: usize> = process::Effect<Setup, Machine, N>;
 
-/// A point of the bore of a ring in a set-up.
+/// A point of the cut surface of a ring in a set-up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BorePoint {
     /// Angle from jaw 1, rad.
     pub angle: f64,
     /// Angle of the ring's mark from jaw 1, rad.
     pub orientation: f64,
-    /// Radial deviation of the bore before boring, m.
+    /// Radial deviation of the surface before it is cut, m.
     pub blank: f64,
 }
 
@@ -37,13 +38,13 @@ pub struct Machine {
     pub jaw_moment: f64,
     /// Where the chuck's axis stands off the spindle's, towards jaw 1 and a quarter turn on, m.
     pub eccentricity: [f64; 2],
-    /// How much larger the bore is while it is warm, m.
+    /// How much larger the cut radius is while the ring is warm, m.
     pub warmth: f64,
     /// Part of an uneven depth of cut by which the tool yields, C/(C + j).
     pub copied: f64,
     /// Movements of the nose outwards while it cuts.
     moves: Vec<Mark>,
-    /// Deviations set free when the ring is bored.
+    /// Deviations set free when the ring is cut.
     released: Vec<Mark>,
     /// What is added to the command, if it is corrected.
     pub command: Option<Arc<Command>>,
@@ -73,13 +74,13 @@ impl Machine {
         self.moves.push(Box::new(by));
     }
 
-    /// Adds what is set free when the ring is bored, m outwards.
+    /// Adds what is set free when the ring is cut, m outwards.
     pub fn add_released(&mut self, by: impl Fn(&BorePoint) -> f64 + Send + Sync + 'static) {
         self.released.push(Box::new(by));
     }
 
-    /// Deviation of a point of the bored, released and cold ring, where the jaws move it outwards by `squeeze` (m)
-    /// while it is bored.
+    /// Deviation of a point of the cut, released and cold ring, where the jaws move it outwards by `squeeze` (m)
+    /// while it is cut.
     ///
     /// The nose goes round the spindle's axis. It finds the surface where the blank, the squeeze, the warmth and the
     /// chuck that stands aside have it, b, and is itself moved to s; the tool yields by k·(s − b), so that s − k·(s −
@@ -102,18 +103,23 @@ impl Machine {
     }
 
     /// Force of a jaw while the spindle turns at `speed` (rad/s), from its `force` at standstill (N):
-    /// F = max(0, F₀ − m·r·ω²).
+    /// F = max(0, F₀ − m·r·ω²), and F₀ + m·r·ω² of jaws that hold the ring from inside.
     pub fn force_at(&self, force: f64, speed: f64) -> f64 {
-        (force - self.jaw_moment * speed * speed).max(0.0)
+        let flies = self.jaw_moment * speed * speed;
+        match self.setup.grip {
+            Grip::Outside => (force - flies).max(0.0),
+            Grip::Inside => force + flies,
+        }
     }
 
-    /// Force of a jaw while the model's ring is bored, N.
-    pub fn boring_force(&self) -> f64 {
+    /// Force of a jaw while the model's ring is cut, N.
+    pub fn cutting_force(&self) -> f64 {
         self.force_at(self.setup.jaw_force, self.setup.speed())
     }
 
     /// Speed above which the ring is let go, rad/s; infinite where the jaws do not lighten.
     pub fn let_go(&self) -> f64 {
-        if self.jaw_moment > 0.0 { (self.setup.jaw_force / self.jaw_moment).sqrt() } else { f64::INFINITY }
+        let can = self.jaw_moment > 0.0 && self.setup.grip == Grip::Outside;
+        if can { (self.setup.jaw_force / self.jaw_moment).sqrt() } else { f64::INFINITY }
     }
 }

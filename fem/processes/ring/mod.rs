@@ -1,7 +1,7 @@
-//! Ring: the bore of a ring that a jaw chuck holds by its outside.
+//! Ring: the bore of a ring that a jaw chuck holds by its outside, or the outside of one that it holds by its bore.
 //!
-//! The jaws squeeze the ring by u_r(θ), the bore is cut round, and released it moves back:
-//! deviation(θ) = −u_r(Ri, θ), positive outwards, θ = 0 at jaw 1 [seed 002, ring in a three-jaw chuck].
+//! The jaws move the ring by u_r(θ), the bore (outside) is cut round, and released it moves back:
+//! deviation(θ) = −u_r(θ), positive outwards, θ = 0 at jaw 1 [seed 002, ring in a three-jaw chuck].
 //! Clamped and not yet bored it is +u_r. Errors of the cut itself add to the released bore.
 
 mod advice;
@@ -11,6 +11,7 @@ mod drawn;
 mod effects;
 mod forward;
 mod gauged;
+mod grip;
 mod instrument;
 pub(crate) mod jaws;
 mod machine;
@@ -20,6 +21,7 @@ pub(crate) mod rows;
 mod setup;
 
 pub use drawn::Drawn;
+pub use grip::Grip;
 pub use instrument::{Gauge, Instrument};
 pub use machine::{BorePoint, Machine};
 pub use response::MeshSize;
@@ -41,7 +43,7 @@ impl Definition for Ring {
     type Machine = Machine;
 
     const NAME: &'static str = "ring";
-    const ABOUT: &'static str = "bore of a ring clamped in a jaw chuck";
+    const ABOUT: &'static str = "bore or outside of a ring clamped in a jaw chuck";
     const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
@@ -49,7 +51,7 @@ impl Definition for Ring {
 
     const COMMANDED: Option<Commanded> = Some(Commanded {
         key: "change",
-        words: "radius at which the bore is cut",
+        words: "radius at which the ring is cut",
         course: "contour",
         along: rows::ANGLE_OF_ROW,
         number: None,
@@ -59,7 +61,7 @@ impl Definition for Ring {
         answers: Answers::Here,
         period: Some(std::f64::consts::TAU),
         takes: Some(
-            "a bore cut out of round takes a tool that follows the angle; where there is none, the force of the jaws can be changed",
+            "a ring cut out of round takes a tool that follows the angle; where there is none, the force of the jaws can be changed",
         ),
     });
     const IN_ORDER: Option<&'static str> = Some("run");
@@ -101,7 +103,7 @@ impl Definition for Ring {
     }
 
     fn contour(setup: &Setup) -> Option<Vec<Vec<Spot>>> {
-        Some(vec![Spot::circle(setup.inner_radius)])
+        Some(vec![Spot::circle(setup.cut_radius())])
     }
 
     fn datum_directions(setup: &Setup, rows: &Rows) -> Vec<DatumDirection> {
@@ -118,7 +120,7 @@ impl Definition for Ring {
 
     fn limit(setup: &Setup, _observable: usize) -> Limit {
         Limit {
-            size: setup.inner_radius,
+            size: setup.cut_radius(),
             why: "that is no ring any more",
             help: "check forces, dimensions and material: a unit may be wrong",
         }

@@ -1,4 +1,4 @@
-//! Deviations, diameters and roundness of the bore as they are measured: where around which set-up, in which state, and
+//! Deviations, diameters and roundness of the cut surface as they are measured: where around which set-up, in which state, and
 //! how it was clamped and bored.
 
 use std::collections::HashMap;
@@ -13,12 +13,12 @@ use crate::units::{ANGLE, FORCE, MICRO, SPINDLE_SPEED};
 /// No part is as far off, m.
 const FAR_OFF: f64 = 5e-3;
 
-/// The radial deviation of the bore, positive outwards; what a bore gauge shows more than the set diameter; peak to valley
+/// The radial deviation of the cut surface, positive outwards; what a gauge shows more than the set diameter; peak to valley
 /// from the least-squares circle.
 pub const OBSERVABLES: &[Observable] = &[
-    Observable::within("deviation", "the bore", MICRO, FAR_OFF),
-    Observable::within("diameter_error", "the diameter of the bore", MICRO, FAR_OFF),
-    Observable::within("RONt", "the roundness of the bore", MICRO, FAR_OFF),
+    Observable::within("deviation", "the ring", MICRO, FAR_OFF),
+    Observable::within("diameter_error", "the diameter of the ring", MICRO, FAR_OFF),
+    Observable::within("RONt", "the roundness of the ring", MICRO, FAR_OFF),
 ];
 
 /// Positions in [`OBSERVABLES`].
@@ -32,9 +32,9 @@ pub const ANGLE_OF_ROW: usize = 0;
 pub const STATE: usize = 1;
 /// Force of each jaw.
 pub const JAW_FORCE: usize = 2;
-/// Speed while boring.
+/// Speed while cutting.
 pub const SPEED: usize = 3;
-/// Deviation of the bore before boring.
+/// Deviation of the surface before it is cut.
 pub const BLANK: usize = 4;
 /// Number of the set-up.
 pub const RUN: usize = 5;
@@ -44,15 +44,10 @@ pub const ORIENTATION: usize = 6;
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
     Coordinate::new("angle", "from jaw 1", Holds::Quantity(ANGLE), Absent::NeededBut(RONT)),
-    Coordinate::new(
-        "state",
-        "bored and released, or clamped and not yet bored",
-        Holds::word(STATES),
-        Absent::Value(0.0),
-    ),
+    Coordinate::new("state", "cut and released, or clamped and not yet cut", Holds::word(STATES), Absent::Value(0.0)),
     Coordinate::new("jaw_force", "force of each jaw", Holds::Quantity(FORCE), Absent::Model),
-    Coordinate::new("spindle_speed", "spindle speed while boring", Holds::Quantity(SPINDLE_SPEED), Absent::Model),
-    Coordinate::new("blank", "radial deviation before boring", Holds::Quantity(MICRO), Absent::Model),
+    Coordinate::new("spindle_speed", "spindle speed while it is cut", Holds::Quantity(SPINDLE_SPEED), Absent::Model),
+    Coordinate::new("blank", "radial deviation before it is cut", Holds::Quantity(MICRO), Absent::Model),
     Coordinate::new("run", "number of the set-up", Holds::Number(1), Absent::Value(1.0)),
     Coordinate::new("orientation", "the ring's mark from jaw 1", Holds::Quantity(ANGLE), Absent::Value(0.0)),
 ];
@@ -77,7 +72,7 @@ pub fn misplaced(rows: &Rows) -> Vec<Misplaced> {
     (0..rows.len()).filter_map(check).collect()
 }
 
-/// The released bore at some angles (rad) in a set-up of the model's own conditions, from a true blank.
+/// The released surface at some angles (rad) in a set-up of the model's own conditions, from a true blank.
 fn set_up(setup: &Setup, run: f64, angles: Vec<f64>) -> Rows {
     let mut columns = vec![Values::shared(0.0, angles.len()); COORDINATES.len()];
     for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed()), (RUN, run)] {
@@ -88,7 +83,7 @@ fn set_up(setup: &Setup, run: f64, angles: Vec<f64>) -> Rows {
     Rows { columns, observable }
 }
 
-/// The released bore of the model's own ring at some angles, rad.
+/// The released surface of the model's own ring at some angles, rad.
 pub fn released(setup: &Setup, angles: Vec<f64>) -> Rows {
     let blank = angles.iter().map(|angle| setup.blank_at(*angle)).collect();
     let mut rows = set_up(setup, 1.0, angles);
@@ -96,12 +91,12 @@ pub fn released(setup: &Setup, angles: Vec<f64>) -> Rows {
     rows
 }
 
-/// The model's own programme: the released bore all around, in one set-up.
+/// The model's own programme: the released surface all around, in one set-up.
 pub fn programme(setup: &Setup) -> Rows {
     released(setup, evenly(setup.points))
 }
 
-/// What the bore of a row was off by before boring, m: the model's own where the row does not say.
+/// What the surface of a row was off by before it was cut, m: the model's own where the row does not say.
 pub fn blank(setup: &Setup, rows: &Rows, row: usize) -> f64 {
     rows.get(BLANK, row).unwrap_or_else(|| {
         let of = |column| rows.get(column, row).unwrap_or(0.0);
@@ -119,7 +114,7 @@ pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
     resolved
 }
 
-/// On the bore, set-up by set-up; a deviation is radial.
+/// On the cut surface, set-up by set-up; a deviation is radial.
 pub fn places(setup: &Setup, rows: &Rows) -> Places {
     let angle = |row| rows.get(ANGLE_OF_ROW, row).unwrap_or(0.0);
     let direction = |row: usize| [angle(row).cos(), angle(row).sin(), 0.0];
@@ -128,7 +123,7 @@ pub fn places(setup: &Setup, rows: &Rows) -> Places {
         set_up.iter().for_each(|row| frames[*row] = 1.0 + i as f64);
     }
     Places {
-        points: (0..rows.len()).map(|row| direction(row).map(|d| d * setup.inner_radius)).collect(),
+        points: (0..rows.len()).map(|row| direction(row).map(|d| d * setup.cut_radius())).collect(),
         directions: (0..rows.len()).map(direction).collect(),
         along: (0..rows.len()).map(angle).collect(),
         references: vec![0.0; rows.len()],
@@ -179,13 +174,13 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
         CandidateExperiment::new(words, &COORDINATES[column], values, rows)
     };
     let mut experiments = vec![
-        experiment("bore another ring at half the jaw force", JAW_FORCE, &|_| 0.5 * setup.jaw_force),
-        experiment("turn the ring by 45 deg in the chuck and bore it again", ORIENTATION, &|_| 45f64.to_radians()),
-        experiment("bore a ring whose bore is oval by 100 um before", BLANK, &|angle| 5e-5 * (2.0 * angle).cos()),
-        experiment("measure the ring clamped, before it is bored", STATE, &|_| CLAMPED),
+        experiment("cut another ring at half the jaw force", JAW_FORCE, &|_| 0.5 * setup.jaw_force),
+        experiment("turn the ring by 45 deg in the chuck and cut it again", ORIENTATION, &|_| 45f64.to_radians()),
+        experiment("cut a ring that is oval by 100 um before", BLANK, &|angle| 5e-5 * (2.0 * angle).cos()),
+        experiment("measure the ring clamped, before it is cut", STATE, &|_| CLAMPED),
     ];
     if setup.speed() > 0.0 {
-        experiments.push(experiment("bore another ring at half the spindle speed", SPEED, &|_| 0.5 * setup.speed()));
+        experiments.push(experiment("cut another ring at half the spindle speed", SPEED, &|_| 0.5 * setup.speed()));
     }
     experiments
 }

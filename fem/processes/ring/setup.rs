@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::allowed::ALLOWED;
 use super::circle::evenly;
 use super::drawn::{Drawn, Held};
+use super::grip::Grip;
 use super::instrument::Instrument;
 use super::response::{MeshSize, Proportions, Response};
 use crate::input::{Cache, Reader};
@@ -37,7 +38,7 @@ pub enum Reference {
     Absolute,
 }
 
-/// A wave of the bore before boring: amplitude·cos lobes·(θ − phase).
+/// A wave of the cut surface before it is cut: amplitude·cos lobes·(θ − phase).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lobe {
     /// Waves around.
@@ -59,8 +60,10 @@ pub struct Setup {
     pub inner_radius: f64,
     /// b, m.
     pub width: f64,
-    /// The bore before boring in the model's own programme; measured rows have their own.
+    /// The cut surface before it is cut in the model's own programme; measured rows have their own.
     pub blank: Vec<Lobe>,
+    /// Side by which the jaws hold it.
+    pub grip: Grip,
     /// Angles at which the jaws stand, rad; evenly spaced from 0 unless a mesh says otherwise.
     pub jaw_angles: Vec<f64>,
     /// Full angle over which each jaw presses, rad; 0 for a line load.
@@ -73,7 +76,7 @@ pub struct Setup {
     pub margin: f64,
     /// Force of the cut along the turning, N.
     pub cutting_force: Option<f64>,
-    /// Spindle speed while boring, rad/s.
+    /// Spindle speed while cutting, rad/s.
     pub spindle_speed: Option<f64>,
     /// C, the radial force per depth of cut, N/m.
     pub force_per_depth: Option<f64>,
@@ -87,7 +90,7 @@ pub struct Setup {
     pub instrument: Instrument,
     /// What the drawing allows.
     pub allowed: Allowed,
-    /// Evenly spaced angles at which the bore is predicted.
+    /// Evenly spaced angles at which the cut surface is predicted.
     pub points: usize,
 }
 
@@ -108,15 +111,21 @@ impl Setup {
             let material = Material::read(t, "material");
             let radii = read_radii(t, is_drawn);
             let width = t.quantity("width", LENGTH, "width of the ring, along its axis").positive().required();
-            let blank = t.list("blank", "waves of the bore before boring, which copying copies", |t, _| Lobe {
-                lobes: t.count("lobes", "waves around the bore").between(2, 1000).required(),
+            let blank = t.list("blank", "waves of the surface before it is cut, which copying copies", |t, _| Lobe {
+                lobes: t.count("lobes", "waves around").between(2, 1000).required(),
                 amplitude: t.quantity("amplitude", MICRO, "half of peak to valley").required(),
                 phase: t.quantity("phase", ANGLE, "where a crest stands").or(0.0),
             });
             (material, radii, width, blank)
         });
-        let (jaws, jaw_force, friction, margin) =
-            model.table("chuck", "the chuck that holds the ring by its outside", |t| {
+        let (grip, jaws, jaw_force, friction, margin) =
+            model.table("chuck", "the chuck that holds the ring by its outside, or by its bore", |t| {
+                let about = "by which side the jaws hold the ring; the other one is cut";
+                let grip = t.choice("grip", about, Grip::WORDS).or_first(Grip::Outside);
+                if grip == Grip::Inside && is_drawn && !t.is_described() {
+                    let help = "leave `file` out of [mesh], or hold it by its outside";
+                    t.problem("grip", "a ring whose mesh was drawn is held by its outside", help);
+                }
                 let jaws =
                     t.count("jaws", "how many jaws, evenly spaced, the first at 0 deg").between(2, 100).required();
                 let force = t.quantity("jaw_force", FORCE, "radial force of each jaw").estimated(CLAMPING_FORCE);
@@ -127,10 +136,11 @@ impl Setup {
                     NUMBER,
                     "by how many times the friction of the jaws holds what the cut asks for",
                 );
-                (jaws, force.not_negative().required(), friction.positive().optional(), margin.positive().or(MARGIN))
+                let (friction, margin) = (friction.positive().optional(), margin.positive().or(MARGIN));
+                (grip, jaws, force.not_negative().required(), friction, margin)
             });
-        let cut = model.optional_table("cut", "how the bore is cut", |t| {
-            let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed while boring").not_negative();
+        let cut = model.optional_table("cut", "how the ring is cut", |t| {
+            let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed while it is cut").not_negative();
             let force = t.quantity("force_per_depth", FORCE_PER_DEPTH, "radial force of the cut per depth of cut");
             let along = t.quantity("cutting_force", FORCE, "force of the cut along the turning, which the jaws hold");
             (
@@ -141,9 +151,9 @@ impl Setup {
         });
         let (spindle_speed, force_per_depth, cutting_force) = cut.unwrap_or_default();
         let body = read_body(model, jaws, radii);
-        let (reference, instrument, points) = read_measurement(model);
+        let (reference, instrument, points) = read_measurement(model, grip);
         let allowed = model
-            .optional_table("tolerance", "what the drawing asks of the bore", |t| Allowed::read(t, &ALLOWED))
+            .optional_table("tolerance", "what the drawing asks of the cut surface", |t| Allowed::read(t, &ALLOWED))
             .unwrap_or_default();
         let ([outer_radius, inner_radius], jaw_angles, arc) = match &body {
             Body::Cells(_) => (radii.map(Option::unwrap_or_default), evenly(jaws), 0.0),
@@ -155,6 +165,7 @@ impl Setup {
             inner_radius,
             width,
             blank,
+            grip,
             jaw_angles,
             arc,
             jaw_force,
@@ -172,12 +183,36 @@ impl Setup {
         }
     }
 
-    /// Spindle speed while boring, rad/s; 0 where the model says none.
+    /// Radius of the surface that is cut, m.
+    pub fn cut_radius(&self) -> f64 {
+        match self.grip {
+            Grip::Outside => self.inner_radius,
+            Grip::Inside => self.outer_radius,
+        }
+    }
+
+    /// Radius at which the jaws press, m.
+    pub fn held_radius(&self) -> f64 {
+        match self.grip {
+            Grip::Outside => self.outer_radius,
+            Grip::Inside => self.inner_radius,
+        }
+    }
+
+    /// Name of the surface that is cut.
+    pub fn cut_name(&self) -> &'static str {
+        match self.grip {
+            Grip::Outside => "bore",
+            Grip::Inside => "outside",
+        }
+    }
+
+    /// Spindle speed while cutting, rad/s; 0 where the model says none.
     pub fn speed(&self) -> f64 {
         self.spindle_speed.unwrap_or(0.0)
     }
 
-    /// Radial deviation of the model's own bore before boring, m.
+    /// Radial deviation of the model's own ring before it is cut, m.
     pub fn blank_at(&self, angle: f64) -> f64 {
         self.blank.iter().map(|l| l.amplitude * (l.lobes as f64 * (angle - l.phase)).cos()).sum()
     }
@@ -274,16 +309,18 @@ fn read_cells(t: &Reader, jaws: usize, radial: usize) -> MeshSize {
     size
 }
 
-fn read_measurement(model: &Reader) -> (Reference, Instrument, usize) {
+fn read_measurement(model: &Reader, grip: Grip) -> (Reference, Instrument, usize) {
     let usual = (Reference::LeastSquaresCircle, Instrument::default(), 360);
     let read = |t: &Reader| {
         let about = "what deviations are measured from";
         let reference = t.choice("reference", about, Reference::WORDS).or_first(usual.0);
         (
             reference,
-            Instrument::read(t),
-            t.count("points", "evenly spaced angles at which the bore is predicted").between(8, 100_000).or(usual.2),
+            Instrument::read(t, grip),
+            t.count("points", "evenly spaced angles at which the cut surface is predicted")
+                .between(8, 100_000)
+                .or(usual.2),
         )
     };
-    model.optional_table("measurement", "how the bore is measured", read).unwrap_or(usual)
+    model.optional_table("measurement", "how the cut surface is measured", read).unwrap_or(usual)
 }

@@ -202,7 +202,7 @@ impl<'a> Standing<'a> {
             Some(_) => 0.0,
             None => elastic.before(i, x, angle, &last)?,
         };
-        Ok(elastic.deflect(i, &last.meeting(met))?)
+        elastic.deflect(i, &last.meeting(met))
     }
 }
 

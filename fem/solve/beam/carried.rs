@@ -1,8 +1,10 @@
 //! The beam on a given set of supports, each of which holds both ways.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
-use super::{BeamError, Load, Settled, Support};
+use super::{BeamError, Bending, Load, Settled, Support};
 use crate::joint::JointState;
 
 /// Residual at which forces and displacements count as in equilibrium, relative to the terms of each
@@ -20,25 +22,25 @@ pub(super) struct Carried {
 
 /// Solves for the forces of the supports that carry.
 pub(super) fn carry(
-    rigidity: f64,
+    bending: &Arc<Bending>,
     supports: &[Support],
     carrying: &[bool],
     loads: &[Load],
 ) -> Result<Carried, BeamError> {
     let own: Vec<usize> = (0..supports.len()).filter(|i| carrying[*i]).collect();
-    let problem = Problem::new(rigidity, own.iter().map(|i| &supports[*i]).collect(), loads);
+    let problem = Problem::new(bending, own.iter().map(|i| &supports[*i]).collect(), loads);
     let (found, rigid) = if own.len() == 2 { problem.by_statics() } else { problem.by_newton()? };
     let mut forces = vec![0.0; supports.len()];
     own.iter().zip(&found).for_each(|(i, q)| forces[*i] = *q);
     let acting = loads.iter().map(|l| (l.at, l.force));
     let acting = acting.chain(supports.iter().zip(&forces).map(|(s, q)| (s.at, -q))).collect();
-    Ok(Carried { forces, beam: Settled { rigidity, forces: acting, rigid, reactions: Vec::new() } })
+    Ok(Carried { forces, beam: Settled { bending: bending.clone(), forces: acting, rigid, reactions: Vec::new() } })
 }
 
 struct Problem<'a> {
     supports: Vec<&'a Support>,
     loads: &'a [Load],
-    /// |x_i − x_j|³/(12 EI) between supports, m/N.
+    /// G(x_i, x_j) between supports, m/N.
     influence: DMatrix<f64>,
     /// Deflection of the supports' places by the loads, m.
     bent: Vec<f64>,
@@ -61,8 +63,8 @@ struct Trial {
 }
 
 impl<'a> Problem<'a> {
-    fn new(rigidity: f64, supports: Vec<&'a Support>, loads: &'a [Load]) -> Self {
-        let bend = |x: f64, s: f64| (x - s).abs().powi(3) / (12.0 * rigidity);
+    fn new(bending: &Bending, supports: Vec<&'a Support>, loads: &'a [Load]) -> Self {
+        let bend = |x: f64, s: f64| bending.influence(x, s);
         let at = |i: usize| supports[i].at;
         let (from, to) = (0..supports.len())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), i| (low.min(at(i)), high.max(at(i))));

@@ -1,24 +1,26 @@
-//! A uniform beam that is pressed on supports and held by nothing else: how it bends, and which supports it
-//! leaves.
+//! A beam that is pressed on supports and held by nothing else: how it bends, and which supports it leaves.
 //!
 //! Supports only press. Where one carries a force Q > 0 the beam sinks there by the support's y(Q), from where the
 //! support stands; where it carries nothing the beam may lift off. All forces on the beam balance, and then
 //!
 //! ```text
-//!     w(x) = a + b·x + Σ F·|x − s|³/(12 EI)        over loads F and reactions −Q, at s
+//!     w(x) = a + b·x + Σ F·G(x, s)        over loads F and reactions −Q, at s
 //! ```
 //!
-//! bends it exactly, with free ends: |x|³/12 has the fourth derivative δ, and balance takes moment and shear
-//! off the ends. The reactions follow from the force method: w = y(Q) at every support that carries, which is
-//! one small system whatever the beam's length.
+//! bends it exactly ([`Bending`]). The reactions follow from the force method: w = y(Q) at every support that carries, which is
+//! one small system whatever the beam's length and however many pieces it has.
 
+mod bending;
 mod carried;
 mod settle;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 mod tests;
 
+pub use bending::Bending;
 pub use settle::settle;
+
+use std::sync::Arc;
 
 use crate::joint::Joint;
 
@@ -76,8 +78,7 @@ pub enum BeamError {
 /// A beam at rest on its supports.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settled {
-    /// Flexural rigidity EI, N m².
-    rigidity: f64,
+    bending: Arc<Bending>,
     /// Forces (s, F): loads, and reactions with a minus sign.
     forces: Vec<(f64, f64)>,
     /// Rigid part of the displacement, a + b·x.
@@ -89,14 +90,14 @@ pub struct Settled {
 impl Settled {
     /// w at x, m, downwards.
     pub fn deflection(&self, x: f64) -> f64 {
-        let bent: f64 = self.forces.iter().map(|(s, f)| f * (x - s).abs().powi(3)).sum();
-        self.rigid.0 + self.rigid.1 * x + bent / (12.0 * self.rigidity)
+        let bent: f64 = self.forces.iter().map(|(s, f)| f * self.bending.influence(x, *s)).sum();
+        self.rigid.0 + self.rigid.1 * x + bent
     }
 
-    /// dw/dx at x.
+    /// How far the section at x turns, rad: dw/dx but for what shear adds.
     pub fn slope(&self, x: f64) -> f64 {
-        let bent: f64 = self.forces.iter().map(|(s, f)| f * (x - s) * (x - s).abs()).sum();
-        self.rigid.1 + bent / (4.0 * self.rigidity)
+        let bent: f64 = self.forces.iter().map(|(s, f)| f * self.bending.turned(x, *s)).sum();
+        self.rigid.1 + bent
     }
 
     /// EI·w'' at x, N m: above zero where the beam hollows upwards, as over a support.

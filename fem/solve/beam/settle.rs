@@ -1,12 +1,14 @@
 //! The choice of the supports that carry the beam.
 
+use std::sync::Arc;
+
 use super::carried::{Carried, carry};
-use super::{BeamError, Load, Reaction, Settled, Support};
+use super::{BeamError, Bending, Load, Reaction, Settled, Support};
 
 /// Reactions, and depths pressed into supports, that are this small against the loads count as zero.
 const NOTHING: f64 = 1e-11;
 
-/// Lays a beam of rigidity EI (N m²) on two or more supports at different places under loads of zero or more.
+/// Lays a beam on two or more supports at different places under loads of zero or more.
 ///
 /// The support that would pull most is taken away, the one that the beam would sink into most is put back,
 /// until there is neither: the forces and displacements so found are unique, for they make the complementary
@@ -14,11 +16,11 @@ const NOTHING: f64 = 1e-11;
 ///
 /// # Errors
 /// The loads press outside the supports, or no equilibrium was found.
-pub fn settle(rigidity: f64, supports: &[Support], loads: &[Load]) -> Result<Settled, BeamError> {
+pub fn settle(bending: &Arc<Bending>, supports: &[Support], loads: &[Load]) -> Result<Settled, BeamError> {
     let total: f64 = loads.iter().map(|l| l.force).sum();
     if total == 0.0 {
         let reactions = vec![Reaction { force: 0.0, displacement: 0.0 }; supports.len()];
-        return Ok(Settled { rigidity, forces: Vec::new(), rigid: laid(supports), reactions });
+        return Ok(Settled { bending: bending.clone(), forces: Vec::new(), rigid: laid(supports), reactions });
     }
     let resultant = loads.iter().map(|l| l.force * l.at).sum::<f64>() / total;
     let from = supports.iter().map(|s| s.at).fold(f64::INFINITY, f64::min);
@@ -29,14 +31,14 @@ pub fn settle(rigidity: f64, supports: &[Support], loads: &[Load]) -> Result<Set
     }
     let mut carrying = vec![true; supports.len()];
     for round in 0..20 * supports.len() {
-        let carried = carry(rigidity, supports, &carrying, loads)?;
+        let carried = carry(bending, supports, &carrying, loads)?;
         let wrong = wrong(supports, &carrying, &carried, total);
         // The worst first, which is quick; by position later on, which cannot go in circles.
         let worst = match round < 4 * supports.len() {
             true => wrong.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)),
             false => wrong.into_iter().next(),
         };
-        let Some((changed, _)) = worst else { return Ok(finish(rigidity, supports, &carrying, loads, &carried)) };
+        let Some((changed, _)) = worst else { return Ok(finish(bending, supports, &carrying, loads, &carried)) };
         carrying[changed] = !carrying[changed];
         if carrying.iter().filter(|c| **c).count() < 2 {
             let beyond = beyond(supports, changed, &carrying, resultant);
@@ -77,7 +79,13 @@ fn beyond(supports: &[Support], gone: usize, carrying: &[bool], resultant: f64) 
     others.min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
-fn finish(rigidity: f64, supports: &[Support], carrying: &[bool], loads: &[Load], carried: &Carried) -> Settled {
+fn finish(
+    bending: &Arc<Bending>,
+    supports: &[Support],
+    carrying: &[bool],
+    loads: &[Load],
+    carried: &Carried,
+) -> Settled {
     let reaction = |(i, support): (usize, &Support)| match carrying[i] {
         true => {
             let force = carried.forces[i].max(0.0);
@@ -90,5 +98,5 @@ fn finish(rigidity: f64, supports: &[Support], carrying: &[bool], loads: &[Load]
     let reactions: Vec<Reaction> = supports.iter().enumerate().map(reaction).collect();
     let pushed = loads.iter().map(|l| (l.at, l.force));
     let forces = pushed.chain(supports.iter().zip(&reactions).map(|(s, r)| (s.at, -r.force))).collect();
-    Settled { rigidity, forces, rigid: carried.beam.rigid, reactions }
+    Settled { bending: bending.clone(), forces, rigid: carried.beam.rigid, reactions }
 }

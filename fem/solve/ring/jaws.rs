@@ -83,7 +83,15 @@ impl JawCircle {
 /// # Errors
 /// The mesh has no such sides, or they do not close around the origin; a width outside [0, 2π].
 pub fn add_jaws(loads: &mut Loads, mesh: &Mesh, jaws: &[ContactArc]) -> Result<(), MeshError> {
-    let circle = JawCircle { arcs: all_around(mesh, OUTSIDE)? };
+    add_jaws_on(OUTSIDE, loads, mesh, jaws)
+}
+
+/// Adds the forces of the jaws on sides of this name.
+///
+/// # Errors
+/// As [`add_jaws`].
+pub fn add_jaws_on(name: &str, loads: &mut Loads, mesh: &Mesh, jaws: &[ContactArc]) -> Result<(), MeshError> {
+    let circle = JawCircle { arcs: all_around(mesh, name)? };
     jaws.iter().try_for_each(|jaw| circle.press(loads, jaw))
 }
 

@@ -7,5 +7,5 @@ mod jaws;
 mod wave;
 
 pub use bore::{Bore, BoreShape};
-pub use jaws::{ContactArc, JawCircle, add_jaws};
+pub use jaws::{ContactArc, JawCircle, add_jaws, add_jaws_on};
 pub use wave::{Cell, WaveRing};

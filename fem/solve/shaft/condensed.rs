@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::Shaft;
+use super::held::Shaft;
 use crate::joint::Seat;
 use crate::solve::foundation::{Founded, Moved, Response};
 use crate::solve::plane::{HalfPlane, Link, Turning};

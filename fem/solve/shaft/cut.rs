@@ -1,6 +1,6 @@
 //! Where a shaft is cut: its pieces split at positions and rests.
 
-use super::{Shaft, ShaftError};
+use super::held::{RunningSum, Shaft, ShaftError};
 use crate::element::BeamPiece;
 use crate::solve::plane::Link;
 
@@ -12,26 +12,6 @@ pub(super) struct Cuts {
     pub positions: Vec<u32>,
     /// The cut of each rest.
     pub rests: Vec<u32>,
-}
-
-/// A sum that is rounded once and not at every step (Neumaier): the last of many short elements is short
-/// against the position at which it stands.
-#[derive(Clone, Copy, Default)]
-pub(super) struct RunningSum {
-    sum: f64,
-    carry: f64,
-}
-
-impl RunningSum {
-    pub fn add(&mut self, term: f64) {
-        let next = self.sum + term;
-        self.carry += if self.sum.abs() >= term.abs() { (self.sum - next) + term } else { (term - next) + self.sum };
-        self.sum = next;
-    }
-
-    pub fn value(self) -> f64 {
-        self.sum + self.carry
-    }
 }
 
 /// Walks along the pieces and makes links from cut to cut.

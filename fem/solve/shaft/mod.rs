@@ -8,87 +8,16 @@
 
 mod condensed;
 mod cut;
+mod held;
 
 pub use condensed::Condensed;
+pub use held::{Hold, Rest, Shaft, ShaftError};
 
 use super::foundation::{Foundation, Founded};
 use super::plane::{HalfPlane, Link, Turning};
-use crate::element::BeamPiece;
-use cut::{Cuts, RunningSum};
-
-/// A steady rest: a spring under the shaft.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rest {
-    /// Distance from the headstock, m.
-    pub at: f64,
-    /// Stiffness, N/m.
-    pub stiffness: f64,
-    /// How far it stands out of the line of the shaft, m.
-    pub offset: f64,
-}
-
-/// The hold of the headstock on the shaft's rotation.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Hold {
-    /// A centre: free to turn.
-    Free,
-    /// A chuck with this tilting compliance in rad/(N m); 0 is a clamp.
-    Compliance(f64),
-}
-
-/// A shaft of uniform pieces from the headstock, held in translation there and, where there is a tailstock,
-/// at its end.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shaft {
-    /// Pieces from the headstock on.
-    pub pieces: Vec<BeamPiece>,
-    /// Rotation at the headstock.
-    pub hold: Hold,
-    /// Whether a tailstock holds the far end.
-    pub tailstock: bool,
-    /// Springs between the ends.
-    pub rests: Vec<Rest>,
-}
-
-/// The shaft cannot be condensed.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ShaftError {
-    /// A rigid motion is left, or numbers have overflowed.
-    #[error("the shaft is loose at x = {at} m: nothing holds it against the tool there")]
-    Loose {
-        /// Tool position, m.
-        at: f64,
-    },
-    /// A position or a rest off the shaft.
-    #[error("x = {at} m is not on the shaft, which is {length} m long")]
-    OffTheShaft {
-        /// Position, m.
-        at: f64,
-        /// Length of the shaft, m.
-        length: f64,
-    },
-}
+use cut::Cuts;
 
 impl Shaft {
-    /// Length, m.
-    pub fn length(&self) -> f64 {
-        let mut length = RunningSum::default();
-        self.pieces.iter().for_each(|p| length.add(p.length));
-        length.value()
-    }
-
-    fn turning(&self) -> Turning {
-        match self.hold {
-            Hold::Free => Turning { p: 1.0, q: 0.0 },
-            Hold::Compliance(p) => Turning { p, q: 1.0 },
-        }
-    }
-
-    /// Whether statics alone gives the supports' forces.
-    fn is_determinate(&self) -> bool {
-        self.rests.is_empty() && !(self.tailstock && self.hold != Hold::Free)
-    }
-
     /// Cuts the shaft at `positions` (m, in any order) and condenses it to them and to its two end supports.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 
 mod benchmark;
 mod effects;
+mod inside;
 mod michell;
 mod rig;
 mod roundness;
@@ -12,5 +13,6 @@ use crate::validation::Case;
 
 /// All cases, simple ones first.
 pub fn cases() -> Vec<Case> {
-    [thin::cases(), michell::cases(), benchmark::cases(), effects::cases(), roundness::cases()].concat()
+    [thin::cases(), michell::cases(), benchmark::cases(), effects::cases(), roundness::cases(), inside::cases()]
+        .concat()
 }

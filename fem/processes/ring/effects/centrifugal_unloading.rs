@@ -12,8 +12,8 @@ use crate::units::JAW_MOMENT;
 /// `centrifugal-unloading`.
 pub static CENTRIFUGAL_UNLOADING: Effect<1> = Effect {
     name: "centrifugal-unloading",
-    about: "turning throws the jaws outwards, and they clamp less",
-    law: "F = max(0, F0 - jaw_moment*omega^2) while boring",
+    about: "turning throws the jaws outwards, and they clamp less; from inside more",
+    law: "F = max(0, F0 - jaw_moment*omega^2) while it is cut, F0 + jaw_moment*omega^2 from inside",
     source: "mechanics of rotation",
     belongs: Belongs::Test,
     odds: Odds::of(0.3, "jaws fly out, but at most speeds by little"),

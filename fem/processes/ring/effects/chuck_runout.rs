@@ -15,7 +15,7 @@ use crate::units::{ANGLE, MICRO};
 /// `chuck-runout`.
 pub static CHUCK_RUNOUT: Effect<2> = Effect {
     name: "chuck-runout",
-    about: "chuck or spindle taper runs out once a turn, and the bore is off the ring's axis",
+    about: "chuck or spindle taper runs out once a turn, and what is cut is off the ring's axis",
     law: "deviation -= runout/2*cos(theta - phase), absolute reference only",
     source: "geometry of two axes; cf. seed 002, errors of machines, 4",
     belongs: Belongs::Test,
@@ -28,7 +28,7 @@ pub static CHUCK_RUNOUT: Effect<2> = Effect {
     needs: |setup| match setup.reference {
         Reference::Absolute => Ok(()),
         Reference::LeastSquaresCircle => {
-            Err("moves the centre of the bore, and the least-squares circle takes that out".into())
+            Err("moves the centre of what is cut, and the least-squares circle takes that out".into())
         }
     },
     act: |[runout, phase], machine| {

@@ -15,7 +15,7 @@ use crate::units::STIFFNESS;
 /// `copying`.
 pub static COPYING: Effect<1> = Effect {
     name: "copying",
-    about: "the tool yields to the uneven depth of cut, and the bore copies the blank",
+    about: "the tool yields to the uneven depth of cut, and what is cut copies the blank",
     law: "k = C/(C + stiffness), C = cut.force_per_depth: of the blank as it is squeezed k is left, of all that moves the nose 1 - k",
     source: "seed 002 (27)",
     belongs: Belongs::Test,

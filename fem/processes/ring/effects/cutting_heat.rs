@@ -12,15 +12,15 @@ use crate::units::TEMPERATURE_RISE;
 /// `cutting-heat`.
 pub static CUTTING_HEAT: Effect<1> = Effect {
     name: "cutting-heat",
-    about: "bored warm, the ring shrinks as it cools",
-    law: "deviation -= expansion*Ri*temperature_rise, absolute reference only",
+    about: "cut warm, the ring shrinks as it cools",
+    law: "deviation -= expansion*R*temperature_rise, R that is cut, absolute reference only",
     source: "seed 002 (36)",
     belongs: Belongs::Test,
     odds: Odds::of(0.5, "all work warms, much of it under coolant by little"),
     parameters: [Parameter::amplitude(
         "temperature_rise",
         TEMPERATURE_RISE,
-        "of the ring while it is bored, over when it is measured",
+        "of the ring while it is cut, over when it is measured",
         (1.0, 60.0),
     )],
     look_alikes: &[],
@@ -31,7 +31,7 @@ pub static CUTTING_HEAT: Effect<1> = Effect {
         }
     },
     act: |[rise], machine| {
-        machine.warmth += machine.setup.material.expansion * machine.setup.inner_radius * rise;
+        machine.warmth += machine.setup.material.expansion * machine.setup.cut_radius() * rise;
     },
 };
 

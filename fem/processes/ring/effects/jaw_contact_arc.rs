@@ -31,14 +31,14 @@ pub static JAW_CONTACT_ARC: Effect<1> = Effect {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::forward::{BoreMotion, bore};
+    use super::super::super::forward::{Motion, squeezed};
     use super::super::super::jaws::in_equilibrium;
     use super::super::bench::*;
 
     #[test]
     fn jaws_that_press_all_around_leave_the_ring_round() {
-        let [even, line] = [120.0, 0.0].map(|arc| bore(chuck("jaw-contact-arc", &[arc]).machine()).unwrap());
-        let wave = |bore: &BoreMotion| bore(0.0) - bore(1.0);
+        let [even, line] = [120.0, 0.0].map(|arc| squeezed(chuck("jaw-contact-arc", &[arc]).machine()).unwrap());
+        let wave = |ring: &Motion| ring(0.0) - ring(1.0);
         assert!(wave(&even).abs() < 1e-6 * wave(&line).abs());
         // Lamé: −2·p·Ro²·Ri/(E·(Ro² − Ri²)) with 3 N over the whole outside; the mesh is good to 1e-5.
         let pressure = 3.0 / (std::f64::consts::TAU * 0.05 * 0.02);

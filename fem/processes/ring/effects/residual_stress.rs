@@ -11,7 +11,7 @@ use crate::units::{ANGLE, MICRO};
 /// `residual-stress`.
 pub static RESIDUAL_STRESS: Effect<2> = Effect {
     name: "residual-stress",
-    about: "stresses of the blank are set free by boring, and the ring goes oval",
+    about: "stresses of the blank are set free by the cut, and the ring goes oval",
     law: "deviation += amplitude*cos(2*(theta - orientation - phase)), released",
     source: "relaxation of residual stress in its lowest harmonic",
     belongs: Belongs::Test,

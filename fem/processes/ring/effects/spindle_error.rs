@@ -12,8 +12,8 @@ use crate::units::{ANGLE, MICRO};
 /// `spindle-error`.
 pub static SPINDLE_ERROR: Effect<2> = Effect {
     name: "spindle-error",
-    about: "the spindle's axis moves twice a turn, and bores an oval",
-    law: "deviation += amplitude*cos(2*(theta - phase)), bored",
+    about: "the spindle's axis moves twice a turn, and cuts an oval",
+    law: "deviation += amplitude*cos(2*(theta - phase)), cut",
     source: "radial error motion of two waves a turn, ISO 230-7",
     belongs: Belongs::Test,
     odds: Odds::of(0.5, "every spindle has one"),

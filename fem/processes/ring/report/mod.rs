@@ -8,15 +8,16 @@ use std::f64::consts::TAU;
 use super::circle;
 use super::forward::{self, absolute};
 use super::gauged;
-use super::instrument::Gauge;
+use super::grip::Grip;
 use super::machine::Machine;
 use super::response::MeshSize;
 use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVABLES, RUN, SPEED, STATE, released};
 use super::setup::{Body, Reference, Setup};
 use crate::process::{Curve, Datum, Drawing, Failure, Figure, Forward, Plot, RunReport, Spot, Table, extremes, spread};
+use crate::roundness::Contacts;
 use crate::units::{ANGLE, FORCE, LENGTH, MICRO, SPINDLE_SPEED, STRESS};
 
-/// A bore that varies by less than a tenth of a nanometre is round.
+/// A surface that varies by less than a tenth of a nanometre is round.
 const ROUND: f64 = 1e-10;
 /// Harmonics are listed down to this part of the largest, and no more than so many.
 const LISTED: f64 = 1e-3;
@@ -38,18 +39,18 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     let mut figures = extremes("deviation", &OBSERVABLES[0], (COORDINATES, &[ANGLE_OF_ROW]), rows, deviations);
     figures.extend([
         size(setup.reference, angles, deviations),
-        roundness(&gauged::traced(&around, &trace, setup.instrument.filter)),
+        roundness(setup.grip, &gauged::traced(&around, &trace, setup.instrument.filter)),
         harmonics(angles, &form),
-        gauges(&trace),
+        gauges(setup, &trace),
         clamping(machine, forward)?,
         force(machine),
-        stress(&scene),
+        stress(setup, &scene),
     ]);
     let mut shown = vec![RUN, ANGLE_OF_ROW, JAW_FORCE];
     shown.extend(setup.spindle_speed.map(|_| SPEED));
     shown.extend((!setup.blank.is_empty()).then_some(BLANK));
     let points = angles.iter().zip(deviations).map(|(a, d)| (ANGLE.from_si(*a), MICRO.from_si(*d))).collect();
-    let title = "deviation [um] of the released bore over angle [deg]".into();
+    let title = format!("deviation [um] of the released {} over angle [deg]", setup.cut_name());
     Ok(RunReport {
         profile: Table::of_rows((COORDINATES, &shown), rows, &OBSERVABLES[0], deviations),
         figures,
@@ -62,19 +63,19 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     })
 }
 
-/// The bore, deviations magnified.
+/// The cut surface, deviations magnified.
 fn drawing(setup: &Setup, angles: &[f64], deviations: &[f64]) -> Drawing {
     let spot = |(angle, deviation): (&f64, &f64)| {
         let outward = [angle.cos(), angle.sin()];
-        Spot { at: outward.map(|c| setup.inner_radius * c), outward, deviation: *deviation }
+        Spot { at: outward.map(|c| setup.cut_radius() * c), outward, deviation: *deviation }
     };
-    let mut bore: Vec<Spot> = angles.iter().zip(deviations).map(spot).collect();
-    bore.extend(bore.first().copied());
+    let mut round: Vec<Spot> = angles.iter().zip(deviations).map(spot).collect();
+    round.extend(round.first().copied());
     Drawing {
-        name: "bore",
-        title: format!("bore of {:.3}, released", LENGTH.shown(2.0 * setup.inner_radius)),
-        nominal: vec![Spot::circle(setup.inner_radius)],
-        curves: vec![Curve { label: "predicted".into(), family: 0, is_measured: false, pieces: vec![bore] }],
+        name: setup.cut_name(),
+        title: format!("{} of {:.3}, released", setup.cut_name(), LENGTH.shown(2.0 * setup.cut_radius())),
+        nominal: vec![Spot::circle(setup.cut_radius())],
+        curves: vec![Curve { label: "predicted".into(), family: 0, is_measured: false, pieces: vec![round] }],
     }
 }
 
@@ -82,13 +83,18 @@ fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// The peak and the depth of the valley of deviations of a bore from a circle, m: its material is outside, so that the
+/// The peak and the depth of the valley of deviations from a circle, m: the material of a bore is outside, so that its
 /// peak points inwards (ISO 12181-1, 3.2.2: towards the material a deviation is negative).
-fn peak_and_valley(form: &[f64]) -> (f64, f64) {
-    (0.0 - form.iter().copied().fold(0.0, f64::min), form.iter().copied().fold(0.0, f64::max))
+fn peak_and_valley(grip: Grip, form: &[f64]) -> (f64, f64) {
+    let (inwards, outwards) =
+        (0.0 - form.iter().copied().fold(0.0, f64::min), form.iter().copied().fold(0.0, f64::max));
+    match grip {
+        Grip::Outside => (inwards, outwards),
+        Grip::Inside => (outwards, inwards),
+    }
 }
 
-/// Size and centre of the bore at evenly spaced angles, rad.
+/// Size and centre of the cut surface at evenly spaced angles, rad.
 fn size(reference: Reference, angles: &[f64], deviations: &[f64]) -> Figure {
     let mean = mean(deviations);
     let figure = Figure::new("mean", "mean deviation").quantity("value", MICRO, mean);
@@ -108,8 +114,8 @@ fn size(reference: Reference, angles: &[f64], deviations: &[f64]) -> Figure {
         .quantity("towards", ANGLE, towards)
 }
 
-fn roundness(form: &[f64]) -> Figure {
-    let (peak, valley) = peak_and_valley(form);
+fn roundness(grip: Grip, form: &[f64]) -> Figure {
+    let (peak, valley) = peak_and_valley(grip, form);
     let rms = mean(&form.iter().map(|d| d * d).collect::<Vec<_>>()).sqrt();
     let [p, v] = [peak, valley].map(|d| MICRO.from_si(d));
     let [t, q] = [peak + valley, rms].map(|d| MICRO.shown(d));
@@ -121,22 +127,34 @@ fn roundness(form: &[f64]) -> Figure {
         .quantity("RONq", MICRO, rms)
 }
 
-/// How much bore gauges show of the form, turned around in it: two contacts see no odd number of waves, three a third
+/// How much gauges show of the form, turned around in it: two contacts see no odd number of waves, three a third
 /// apart none but multiples of three. The trace has no filter, and a multiple of six points.
-fn gauges(trace: &[f64]) -> Figure {
+fn gauges(setup: &Setup, trace: &[f64]) -> Figure {
     let count = trace.len();
-    let differ = |gauge: Gauge| {
-        let places = gauge.contacts().places();
+    let differ = |contacts: Contacts| {
+        let places = contacts.places();
         let beside = |i: usize, at: f64| (i + (at.rem_euclid(TAU) / TAU * count as f64).round() as usize) % count;
         let one = |i: usize| places.iter().map(|(at, weight)| weight * trace[beside(i, *at)]).sum();
         spread(&(0..count).map(one).collect::<Vec<f64>>())
     };
-    let [two, three] = [Gauge::TwoPoint, Gauge::ThreePoint].map(differ);
+    let [two, three] = [Contacts::TwoPoint, Contacts::ThreePoint].map(differ);
     let [shown_two, shown_three] = [two, three].map(|d| MICRO.shown(d));
-    Figure::new("gauges", "bore gauges show")
-        .line(format!("diameters that differ by {shown_two:.3} with two contacts, by {shown_three:.3} with three"))
-        .quantity("two_point", MICRO, two)
-        .quantity("three_point", MICRO, three)
+    let label = if setup.grip == Grip::Outside { "bore gauges show" } else { "gauges show" };
+    let line = format!("diameters that differ by {shown_two:.3} with two contacts, by {shown_three:.3} with three");
+    let block = match setup.instrument.gauge.contacts() {
+        Contacts::VBlock(angle) => Some((angle, differ(Contacts::VBlock(angle)))),
+        _ => None,
+    };
+    let on_block = block.map(|(angle, differ)| {
+        let (angle, shown) = (ANGLE.shown(angle), MICRO.shown(differ));
+        format!("readings of a dial over a V-block of {angle:.0} that differ by {shown:.3}")
+    });
+    let figure = Figure::new("gauges", label).line(line).lines(on_block);
+    let figure = figure.quantity("two_point", MICRO, two).quantity("three_point", MICRO, three);
+    match block {
+        Some((_, differ)) => figure.quantity("v_block", MICRO, differ),
+        None => figure,
+    }
 }
 
 /// Amplitude of `m` waves around, m, and the angle of their first crest, rad.
@@ -177,43 +195,46 @@ fn harmonics(angles: &[f64], form: &[f64]) -> Figure {
         ])
     };
     Figure::new("harmonics", "waves, amplitude")
-        .lines(all.is_empty().then(|| "none: the bore is round".to_string()))
+        .lines(all.is_empty().then(|| "none: it is round".to_string()))
         .lines(listed.into_iter().map(line))
         .entry("list", Datum::List(all.into_iter().map(entry).collect()))
 }
 
-/// The ring before it is bored, at standstill.
+/// The ring before it is cut, at standstill.
 fn clamping(machine: &Machine, forward: &Forward) -> Result<Figure, Failure> {
     let mut rows = forward.programme.clone();
     rows.columns[STATE].fill(CLAMPED);
     let deviations = forward::absolute(machine, forward, &rows)?;
-    let (peak, valley) = peak_and_valley(&circle::form(&rows.columns[ANGLE_OF_ROW].to_vec(), &deviations));
+    let (peak, valley) =
+        peak_and_valley(machine.setup.grip, &circle::form(&rows.columns[ANGLE_OF_ROW].to_vec(), &deviations));
     let (form, mean) = (peak + valley, mean(&deviations));
     let (form_shown, mean_shown) = (MICRO.shown(form), MICRO.shown(mean));
-    Ok(Figure::new("clamped", "clamped, not yet bored")
+    Ok(Figure::new("clamped", "clamped, not yet cut")
         .line(format!("{form_shown:.3} peak to valley, {mean_shown:+.3} of the radius"))
         .quantity("RONt", MICRO, form)
         .quantity("mean", MICRO, mean))
 }
 
 fn force(machine: &Machine) -> Figure {
-    let (standing, boring, let_go) = (machine.setup.jaw_force, machine.boring_force(), machine.let_go());
+    let (standing, boring, let_go) = (machine.setup.jaw_force, machine.cutting_force(), machine.let_go());
     let each = format!("{:.1} each", FORCE.shown(standing));
     let figure = Figure::new("jaw_force", "jaw force")
         .quantity("standstill", FORCE, standing)
         .quantity("boring", FORCE, boring)
         .quantity("let_go", SPINDLE_SPEED, let_go);
     if !let_go.is_finite() {
-        return figure.line(each);
+        let more = (boring != standing).then(|| format!(" at standstill, {:.1} while it is cut", FORCE.shown(boring)));
+        return figure.line(each + &more.unwrap_or_default());
     }
     let (boring, let_go) = (FORCE.shown(boring), SPINDLE_SPEED.shown(let_go));
-    figure.line(format!("{each} at standstill, {boring:.1} while boring; let go above {let_go:.0}"))
+    figure.line(format!("{each} at standstill, {boring:.1} while it is cut; let go above {let_go:.0}"))
 }
 
-fn stress(scene: &shapes::Scene) -> Figure {
+fn stress(setup: &Setup, scene: &shapes::Scene) -> Figure {
     let (stress, angle) = scene.largest_stress();
     let (shown, at) = (STRESS.shown(stress), ANGLE.shown(angle));
-    Figure::new("stress", "stress on the bore")
+    let label = if setup.grip == Grip::Outside { "stress on the bore" } else { "stress outside" };
+    Figure::new("stress", label)
         .line(format!("up to {shown:.2} (von Mises) at {at:.1}, clamped at standstill"))
         .quantity("value", STRESS, stress)
         .quantity("angle", ANGLE, angle)
@@ -232,7 +253,7 @@ fn warnings(machine: &Machine) -> Vec<String> {
 /// Says that the turning chuck holds nothing, where it does not.
 pub fn let_go(machine: &Machine) -> Option<String> {
     let setup = &machine.setup;
-    (setup.jaw_force > 0.0 && machine.boring_force() == 0.0).then(|| {
+    (setup.jaw_force > 0.0 && machine.cutting_force() == 0.0).then(|| {
         let [speed, let_go] = [setup.speed(), machine.let_go()].map(|s| SPINDLE_SPEED.shown(s));
         format!("at {speed:.0} the jaws no longer press: above {let_go:.0} the ring is let go")
     })

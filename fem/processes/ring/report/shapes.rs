@@ -4,16 +4,17 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::super::forward;
+use super::super::grip::Grip;
 use super::super::jaws::Jaw;
 use super::super::machine::Machine;
 use super::super::response::unsolvable;
 use super::super::rows;
 use super::super::setup::{Body, Setup};
 use crate::element::plane::{Elasticity, PlaneState, STRAINS};
-use crate::mesh::{BORE, Mesh};
+use crate::mesh::{BORE, Mesh, OUTSIDE};
 use crate::process::{Animation, Arrow, Body as Drawn, Cell, Failure, Field, Forward, Frame, Grid, Role, Skin, View};
 use crate::solve::elastic::{ElasticSystem, Loads, nodal_stresses};
-use crate::solve::ring::{ContactArc, add_jaws};
+use crate::solve::ring::{ContactArc, add_jaws_on};
 use crate::units::{FORCE, LENGTH, MICRO, STRESS};
 
 /// Steps of the clamping, of the cut and of the release: a run takes as long as writing them, 0.6 MB each on
@@ -58,7 +59,7 @@ impl Scene {
         let stresses = nodal_stresses(&mesh, &law, &displacements, &[]);
         let angles = mesh.nodes().iter().map(|node| angle_of(*node)).collect();
         let cut = forward::absolute(machine, forward, &rows::released(&setup, angles))?;
-        let while_boring = if setup.jaw_force > 0.0 { machine.boring_force() / setup.jaw_force } else { 0.0 };
+        let while_boring = if setup.jaw_force > 0.0 { machine.cutting_force() / setup.jaw_force } else { 0.0 };
         let mut grid = Grid { points: vec![[0.0; 3]; mesh.nodes().len()], ..Grid::default() };
         mesh.elements().for_each(|element| grid.push(Cell::of(element.kind), element.nodes));
         let skin = Arc::new(Skin::thickened(&grid, setup.width));
@@ -68,7 +69,8 @@ impl Scene {
     /// Largest equivalent stress on the bore under the jaws at standstill, Pa, and where, rad. Under a line
     /// load the stress at the jaw itself has no bound.
     pub fn largest_stress(&self) -> (f64, f64) {
-        let on_bore = self.mesh.nodes_on(BORE).unwrap_or_default();
+        let cut = if self.setup.grip == Grip::Outside { BORE } else { OUTSIDE };
+        let on_bore = self.mesh.nodes_on(cut).unwrap_or_default();
         let of = |node: u32| (equivalent(self.stresses[node as usize]), angle_of(self.mesh.nodes()[node as usize]));
         on_bore.into_iter().map(of).fold((0.0, 0.0), |a, b| if b.0 > a.0 * (1.0 + 1e-9) { b } else { a })
     }
@@ -82,7 +84,7 @@ impl Scene {
         Animation {
             name: "ring",
             shown: "radial_displacement",
-            time: "phase: 1 clamped, 2 bored, 3 released",
+            time: "phase: 1 clamped, 2 cut, 3 released",
             view: View::Oblique,
             telling: STEPS,
             most_magnified: f64::INFINITY,
@@ -111,7 +113,7 @@ impl Scene {
         let (mut displacement, mut stress, mut single) = (Vec::new(), Vec::new(), Vec::new());
         for (node, &[x, y]) in self.mesh.nodes().iter().enumerate() {
             let r = x.hypot(y);
-            let depth = ((setup.outer_radius - r) / (setup.outer_radius - setup.inner_radius)).max(0.0);
+            let depth = ((setup.held_radius() - r) / (setup.held_radius() - setup.cut_radius())).max(0.0);
             let cut = bored * self.cut[node] * depth / r;
             let [u, v] = self.displacements[node];
             let [xx, yy, xy] = self.stresses[node].map(|s| clamped * s);
@@ -128,17 +130,20 @@ impl Scene {
             let push = clamped * jaw.share * setup.jaw_force;
             let node = grid.points.len();
             grid.push(Cell::Vertex, &[node as u32]);
-            let at = [setup.outer_radius * cosine, setup.outer_radius * sine];
+            let (at, sign) = ([cosine, sine].map(|c| setup.held_radius() * c), inwards(setup.grip));
             grid.points.push([at[0], at[1], 0.0]);
-            force.push([-push * cosine, -push * sine, 0.0]);
+            force.push([-sign * push * cosine, -sign * push * sine, 0.0]);
             // A jaw goes with the surface that it presses on.
             let [u, v] = self.displacements[self.mesh.nearest_node(at)];
             displacement.push([clamped * u, clamped * v, 0.0]);
-            bodies.push(Drawn::new("jaw", Role::Machine, self.jaw(node, [cosine, sine])));
-            arrows.push(Arrow::new(node, JAW * setup.outer_radius));
+            bodies.push(Drawn::new("jaw", Role::Machine, self.jaw(node, [sign * cosine, sign * sine])));
+            arrows.push(Arrow::new(node, JAW * setup.held_radius()));
         }
         if time > 1.0 && time < 2.0 {
-            bodies.push(Drawn::new("boring bar", Role::Tool, self.boring_bar(time - 1.0)));
+            bodies.push(match setup.grip {
+                Grip::Outside => Drawn::new("boring bar", Role::Tool, self.boring_bar(time - 1.0)),
+                Grip::Inside => Drawn::new("tool", Role::Tool, self.tool(time - 1.0)),
+            });
         }
         stress.resize(grid.points.len(), [0.0; 6]);
         single.resize(grid.points.len(), 0.0);
@@ -151,21 +156,32 @@ impl Scene {
             Field::scalar("equivalent_stress", STRESS, single),
             Field::scalar("radial_displacement", MICRO, radial),
         ];
-        let phase = match time {
-            t if t < 1.0 => "the jaws close",
-            1.0 => "clamped: the jaws squeeze the ring",
-            t if t < 2.0 => "bored round while it is squeezed",
-            2.0 => "bored: the bore is round, the ring still squeezed",
-            t if t < 3.0 => "the jaws open",
-            _ => "released: the bore springs out of round",
+        let (squeezed, name) = match setup.grip {
+            Grip::Outside => ("squeezed", "bore"),
+            Grip::Inside => ("spread", "outside"),
         };
-        Frame { time, caption: phase.into(), grid, bodies, arrows }
+        let phase = match time {
+            t if t < 1.0 => "the jaws close".into(),
+            1.0 => format!("clamped: the ring is {squeezed}"),
+            t if t < 2.0 => format!("cut round while it is {squeezed}"),
+            2.0 => format!("cut: the {name} is round, the ring still {squeezed}"),
+            t if t < 3.0 => "the jaws open".into(),
+            _ => format!("released: the {name} springs out of round"),
+        };
+        Frame { time, caption: phase, grid, bodies, arrows }
     }
 
-    /// A jaw at a point of the grid, outwards.
+    /// A jaw at a point of the grid, away from the ring.
     fn jaw(&self, node: usize, [x, y]: [f64; 2]) -> Skin {
-        let (reach, half) = (JAW * self.setup.outer_radius, 0.12 * self.setup.outer_radius);
+        let (reach, half) = (JAW * self.setup.held_radius(), 0.12 * self.setup.held_radius());
         Skin::square(Some(node as u32), [0.0; 3], [x, y, 0.0], &[(0.0, half), (reach, half)])
+    }
+
+    /// The tool that turns the outside, so much of its way along the ring.
+    fn tool(&self, share: f64) -> Skin {
+        let Setup { outer_radius: r, width, .. } = *self.setup;
+        let z = width * (0.7 - 1.4 * share);
+        Skin::square(None, [r, 0.0, z], [1.0, 0.0, 0.0], &[(0.0, 0.01 * r), (0.15 * r, 0.1 * r), (0.8 * r, 0.1 * r)])
     }
 
     /// The boring bar, so much of its way through the ring.
@@ -178,6 +194,11 @@ impl Scene {
     }
 }
 
+/// 1 where the jaws press inwards, −1 where outwards.
+fn inwards(grip: Grip) -> f64 {
+    if grip == Grip::Outside { 1.0 } else { -1.0 }
+}
+
 /// The mesh, and on it the jaws at standstill.
 fn pressed(setup: &Setup, jaws: &[Jaw]) -> Result<(Arc<Mesh>, Loads), Failure> {
     match &setup.body {
@@ -188,9 +209,13 @@ fn pressed(setup: &Setup, jaws: &[Jaw]) -> Result<(Arc<Mesh>, Loads), Failure> {
         }
         Body::Cells(size) => {
             let mesh = size.mesh(setup.outer_radius, setup.inner_radius)?;
-            let pushes: Vec<ContactArc> = jaws.iter().map(|jaw| jaw.load(setup.jaw_force)).collect();
+            let (force, held) = match setup.grip {
+                Grip::Outside => (setup.jaw_force, OUTSIDE),
+                Grip::Inside => (-setup.jaw_force, BORE),
+            };
+            let pushes: Vec<ContactArc> = jaws.iter().map(|jaw| jaw.load(force)).collect();
             let mut loads = Loads::none(&mesh);
-            add_jaws(&mut loads, &mesh, &pushes).map_err(unsolvable)?;
+            add_jaws_on(held, &mut loads, &mesh, &pushes).map_err(unsolvable)?;
             Ok((Arc::new(mesh), loads))
         }
     }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::super::grip::Grip;
 use super::super::machine::Machine;
 use crate::process::{Part, Sketch};
 use crate::units::{FORCE, LENGTH};
@@ -15,12 +16,12 @@ pub fn sketch(machine: &Machine) -> Sketch {
     let on = |radius: f64, angle: f64| [radius * angle.cos(), radius * angle.sin()];
     let circle = |radius: f64| (0..CORNERS).map(|i| on(radius, TAU * i as f64 / CORNERS as f64)).collect();
     let mut parts = vec![Part::Body(vec![circle(setup.outer_radius), circle(setup.inner_radius)])];
-    let force = machine.boring_force();
+    let force = machine.cutting_force();
     for (i, angle) in machine.jaw_angles.iter().enumerate() {
         let label = format!("jaw {}, {:.0}", i + 1, FORCE.shown(force));
-        let inwards = on(-force, *angle);
-        parts.push(Part::Force { at: on(setup.outer_radius, *angle), force: inwards, label });
+        let away = if setup.grip == Grip::Outside { -force } else { force };
+        parts.push(Part::Force { at: on(setup.held_radius(), *angle), force: on(away, *angle), label });
     }
     let [outer, inner] = [setup.outer_radius, setup.inner_radius].map(|r| LENGTH.shown(2.0 * r));
-    Sketch { title: format!("the ring, {outer:.1} outside and {inner:.1} inside, while it is bored"), parts }
+    Sketch { title: format!("the ring, {outer:.1} outside and {inner:.1} inside, while it is cut"), parts }
 }
