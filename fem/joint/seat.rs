@@ -50,6 +50,14 @@ impl Seat {
         }
     }
 
+    /// The force (N) with which it is held together: it bears as much against its direction, and a clearance anything.
+    pub fn holds(&self) -> f64 {
+        match *self {
+            Self::Contact(_, preload) => preload,
+            Self::Clearance(_) => f64::INFINITY,
+        }
+    }
+
     /// The place of its path under a force (N).
     pub fn path_at(&self, force: f64) -> f64 {
         match *self {

@@ -33,10 +33,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::seated::{MOST_SEATS, resisted};
 use crate::joint::Seat;
-
-/// Most joints of a structure that are no springs.
-pub const MOST_SEATS: usize = 8;
 
 /// What joints have moved, m.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -186,6 +184,7 @@ impl Founded {
                 (whole[(i, j)], whole[(j, i)]) = (own, own);
             }
         }
+        let whole = resisted(whole, springs);
         let of_seats = moves.transpose() * &bent_forces;
         let whole_bent = bent_forces.iter().take(2).chain(of_seats.iter()).copied().collect();
         Self { foundation, response, balance, constraint, bent_forces, seats_to_supports: moves, whole, whole_bent }

@@ -22,6 +22,6 @@ pub mod structure;
 
 pub use bar::Bar;
 pub use equilibrium::{Equilibrium, JointsError, solve_joints};
-pub use foundation::{Foundation, MOST_SEATS, Moved, Seats};
-pub use seated::{Seated, System, solve_seated};
+pub use foundation::{Foundation, Moved, Seats};
+pub use seated::{MOST_SEATS, Seated, System, resisted, solve_seated};
 pub use shaft::{Condensed, Hold, Rest, Shaft, ShaftError};

@@ -155,6 +155,39 @@ fn seats_hold_by_their_preload() {
     insta::assert_snapshot!(answer.err);
 }
 
+/// A machine that is pushed is at rest in its first row: a preloaded contact gives way by nothing there, and under a force by
+/// its law, whatever rounding leaves of the preload.
+#[test]
+fn a_pushed_machine_may_stand_on_contacts() {
+    let place = Place::new();
+    let seat = "between = [\"under-headstock\", \"headstock-foot\"]\nalong = \"y\"\n";
+    let good = model("pushed-lathe.toml");
+    assert!(good.contains(seat));
+    let readings = |more: &str| -> Vec<(f64, f64)> {
+        place.write("machine.toml", good.replacen(seat, &format!("{seat}{more}"), 1));
+        let answer = place.fem(&["run", "machine.toml", "-o", "out"]);
+        assert_eq!((answer.status, answer.err.as_str()), (0, ""), "{more}");
+        let profile = place.read("out/profile.csv");
+        let head: Vec<String> = profile.lines().next().unwrap().split(',').map(str::to_string).collect();
+        let column = |name: &str| head.iter().position(|own| own.starts_with(name)).unwrap();
+        let [load, dial, force, read] = ["load", "dial", "force", "displacement"].map(column);
+        let rows = profile.lines().skip(1).map(|line| line.split(',').collect::<Vec<_>>());
+        // Pushed and watched at the nose.
+        let own = rows.filter(|row| row[load] == "1" && row[dial] == "1");
+        own.map(|row| (row[force].parse().unwrap(), row[read].parse().unwrap())).collect()
+    };
+    let springs = readings("");
+    assert!(springs.iter().any(|row| row.0 == 0.0) && springs.iter().any(|row| row.0 > 0.0));
+    for (n, preload) in [(0.5, 2500.0), (0.6, 2000.0), (0.7, 20_000.0f64)] {
+        let seated = readings(&format!("c = \"0.3 um/N^n\"\nn = {n}\npreload = \"{preload} N\"\n"));
+        for ((force, spring), (_, seated)) in springs.iter().zip(&seated) {
+            // The seat bears the whole of a force at the nose, and is lifted by it.
+            let expected = 0.3 * (preload.powf(n) - (preload - force).powf(n));
+            assert!((seated - spring - expected).abs() < 1e-6, "{n} {preload} {force}: {seated} {spring} {expected}");
+        }
+    }
+}
+
 /// (in the model, replaced by, part of the message, part of the remedy): joints that are no springs.
 const SEATS: &[Mistake] = &[
     ("stiffness = \"800", "c = \"0.3 um/N^n\"\ngap = \"2 um\"\nstiffness = \"800", "not both", "behind one another"),

@@ -264,12 +264,15 @@ fn read_seat(t: &Reader) -> Option<Seat> {
             None
         }
         (Some(coefficient), None) => Some(Seat::Contact(Contact { coefficient, exponent: n }, preload)),
-        (None, Some(gap)) => Some(Seat::Clearance(gap)),
-        (None, None) => {
-            if t.has("n") || t.has("preload") {
-                t.problem("n", "there is no contact", "a contact has `c`, `n` and `preload`");
+        (None, gap) => {
+            if let Some(key) = ["n", "preload"].into_iter().find(|key| t.has(key) && !t.is_described()) {
+                t.problem(
+                    key,
+                    "there is no contact",
+                    "a contact has `c`, `n` and `preload`; leave it out beside a `gap`",
+                );
             }
-            None
+            gap.map(Seat::Clearance)
         }
     }
 }

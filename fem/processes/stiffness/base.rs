@@ -7,7 +7,7 @@ use crate::joint::{Joint, Seat};
 use crate::process::Failure;
 use crate::process::structure::{Draft, Drawn, Port};
 use crate::solve::structure::{Displaced, Freedom};
-use crate::solve::{System, solve_seated};
+use crate::solve::{System, resisted, solve_seated};
 
 /// More places than anybody pushes at or watches.
 const MOST: usize = 1000;
@@ -77,7 +77,7 @@ impl Base {
         let seats = Seats {
             laws: drawn.seats.iter().map(|seat| seat.law).collect(),
             influence: under.iter().map(|moved| [vec![0.0; 2], on_seats(moved)].concat()).collect(),
-            constraint,
+            constraint: resisted(constraint, &springs),
             to_dials: DMatrix::from_fn(dials.len(), pairs.len(), |dial, j| {
                 springs[j] * of(&watched[dial], &under_seats[j])
             }),
