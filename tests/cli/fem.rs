@@ -70,11 +70,25 @@ impl Place {
         for (from, to, message, remedy) in mistakes {
             assert!(good.contains(from), "{from}");
             self.write(file, good.replacen(from, to, 1));
-            let answer = self.fem(&[command, file]);
-            let told = answer.err.split_whitespace().collect::<Vec<_>>().join(" ");
-            assert_eq!(answer.status, 2, "{to}: {told}");
-            assert!(told.contains(message) && told.contains(remedy), "{to}: {told}");
+            self.is_refused(&[command, file], to, (message, remedy));
         }
+    }
+
+    /// Holds what a command refuses against its message and its remedy, whatever the width of the frame around them.
+    pub fn is_refused(&self, args: &[&str], what: &str, (message, remedy): (&str, &str)) {
+        let answer = self.fem(args);
+        let told = answer.err.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, 2, "{what}: {told}");
+        assert!(told.contains(message) && told.contains(remedy), "{what}: {told}");
+    }
+
+    /// The numbers of a column of a CSV file, by the beginning of its name.
+    pub fn column(&self, file: &str, name: &str) -> Vec<f64> {
+        let text = self.read(file);
+        let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+        let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+        let at = header.iter().position(|h| h.starts_with(name)).unwrap_or_else(|| panic!("{name} in {header:?}"));
+        lines.map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect()
     }
 
     /// Every file below, by its path from here, sorted.

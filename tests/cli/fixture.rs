@@ -39,11 +39,7 @@ fn the_scatter_is_that_of_milled_parts() {
     let told = run(text.clone())["findings"]["scatter"]["height"].as_f64().unwrap();
     let heights = |force: &str, coefficient: &str| {
         run(text.replace("\"4 kN\"", force).replace("\"0.2 +- 0.05 um/N^n\"", coefficient));
-        let profile = place.read("out/fixture/profile.csv");
-        let column =
-            profile.lines().next().unwrap().split(',').position(|name| name.starts_with("height_error")).unwrap();
-        let value = |line: &str| line.split(',').nth(column).unwrap().parse::<f64>().unwrap();
-        profile.lines().skip(1 + 121).map(value).collect::<Vec<f64>>()
+        place.column("out/fixture/profile.csv", "height_error").split_off(121)
     };
     let forces = ["\"3.5 kN\"", "\"4.5 kN\""];
     let ends = forces.map(|force| ["\"0.15 um/N^n\"", "\"0.25 um/N^n\""].map(|c| heights(force, c))).concat();
@@ -83,10 +79,7 @@ fn supports_may_differ_and_clamps_may_change_their_force() {
         place.write("part.toml", text);
         let answer = place.fem(&["run", "part.toml", "-o", "out"]);
         assert_eq!((answer.status, answer.err.as_str()), (0, ""));
-        let profile = place.read("out/profile.csv");
-        let column =
-            profile.lines().next().unwrap().split(',').position(|name| name.starts_with("height_error")).unwrap();
-        profile.lines().skip(1).map(|line| line.split(',').nth(column).unwrap().parse().unwrap()).collect()
+        place.column("out/profile.csv", "height_error")
     };
     let part = |support: &str, first: &str, effects: &str| {
         format!(
@@ -131,18 +124,9 @@ const BOSSES: &[Mistake] = &[
 #[test]
 fn parts_with_bosses_that_cannot_be_are_told() {
     let good = model("bosses.toml");
-    for (replaced, by, message, remedy) in BOSSES {
-        let place = Place::new();
-        let text = good.replacen(replaced, by, 1);
-        assert_ne!(text, good, "{replaced}");
-        place.write("bosses.toml", text);
-        let answer = place.fem(&["run", "bosses.toml"]);
-        assert_eq!(answer.status, 2, "{replaced} {by}: {}", answer.out);
-        let told = answer.err.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
-        assert!(told.contains(message) && told.contains(remedy), "{replaced} -> {by}: {}", answer.err);
-    }
-    // A height measured in the valley.
     let place = Place::new();
+    place.refuses(("run", "bosses.toml"), &good, BOSSES);
+    // A height measured in the valley.
     place.write("bosses.toml", good);
     place.write("measured.csv", "x [mm],height_error [um]\n10,3\n160,2\n300,3\n");
     let answer = place.fem(&["compare", "bosses.toml", "--with", "measured.csv"]);

@@ -23,14 +23,6 @@ positions = 13
 /// Straight from 500 N at the headstock to 200 N at 300 mm, and up again.
 const FORCE: &str = "x [mm],radial_force [N]\n0,500\n300,200\n600,350\n";
 
-/// Numbers of a column of a CSV file.
-fn column(text: &str, name: &str) -> Vec<f64> {
-    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-    let header: Vec<&str> = lines.next().unwrap().split(',').collect();
-    let at = header.iter().position(|h| h.starts_with(name)).unwrap_or_else(|| panic!("{name} in {header:?}"));
-    lines.map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect()
-}
-
 #[test]
 fn a_shaft_bends_under_the_force_that_was_recorded_at_the_tool() {
     let place = Place::new();
@@ -38,8 +30,7 @@ fn a_shaft_bends_under_the_force_that_was_recorded_at_the_tool() {
     place.write("force.csv", FORCE);
     let answer = place.fem(&["run", "shaft.toml", "-o", "out"]);
     assert_eq!(answer.status, 0, "{}", answer.err);
-    let profile = place.read("out/profile.csv");
-    let (x, error) = (column(&profile, "x"), column(&profile, "diameter_error"));
+    let [x, error] = ["x", "diameter_error"].map(|name| place.column("out/profile.csv", name));
     assert_eq!(x.len(), 13);
     for (x, error) in x.into_iter().zip(error) {
         // Simply supported, y = F x² (L − x)² / (3 E I L) + F x (L − x) / (κ G A L), κ = 6 (1 + ν) / (7 + 6 ν) by
@@ -66,8 +57,7 @@ fn a_part_gives_way_under_the_force_of_the_cutter_that_was_recorded_there() {
     );
     place.write("force.csv", "x [mm],cutter [N]\n0,100\n200,500\n600,150\n");
     assert_eq!(place.fem(&["run", "recorded.toml", "-o", "out"]).status, 0);
-    let profile = place.read("out/profile.csv");
-    let force = column(&profile, "cutter_force");
+    let force = place.column("out/profile.csv", "cutter_force");
     assert!(force[0] < force[force.len() / 3] && force[force.len() / 3] > force[force.len() - 1]);
     // Rows that carry their own force are milled alike, whatever the model says.
     for name in ["constant.toml", "recorded.toml"] {

@@ -129,9 +129,8 @@ fn seats_hold_by_their_preload() {
         place.write("lathe.toml", text);
         let answer = place.fem(&["run", "lathe.toml", "-o", name]);
         assert_eq!((answer.status, answer.err.as_str()), (0, ""));
-        let profile = place.read(&format!("{name}/profile.csv"));
-        let row = profile.lines().skip(1).map(|line| line.split(',').collect::<Vec<_>>()).find(|row| row[1] == "0");
-        row.unwrap()[4].parse().unwrap()
+        let [x, errors] = ["x", "diameter_error"].map(|key| place.column(&format!("{name}/profile.csv"), key));
+        errors[x.iter().position(|x| *x == 0.0).unwrap()]
     };
     let spring = error("spring", "");
     // All of the cut stands on the headstock at x = 0, which rises twice as far in diameter.
@@ -167,14 +166,11 @@ fn a_pushed_machine_may_stand_on_contacts() {
         place.write("machine.toml", good.replacen(seat, &format!("{seat}{more}"), 1));
         let answer = place.fem(&["run", "machine.toml", "-o", "out"]);
         assert_eq!((answer.status, answer.err.as_str()), (0, ""), "{more}");
-        let profile = place.read("out/profile.csv");
-        let head: Vec<String> = profile.lines().next().unwrap().split(',').map(str::to_string).collect();
-        let column = |name: &str| head.iter().position(|own| own.starts_with(name)).unwrap();
-        let [load, dial, force, read] = ["load", "dial", "force", "displacement"].map(column);
-        let rows = profile.lines().skip(1).map(|line| line.split(',').collect::<Vec<_>>());
+        let columns = ["load", "dial", "force", "displacement"].map(|name| place.column("out/profile.csv", name));
+        let [load, dial, force, read] = &columns;
         // Pushed and watched at the nose.
-        let own = rows.filter(|row| row[load] == "1" && row[dial] == "1");
-        own.map(|row| (row[force].parse().unwrap(), row[read].parse().unwrap())).collect()
+        let own = (0..load.len()).filter(|row| load[*row] == 1.0 && dial[*row] == 1.0);
+        own.map(|row| (force[row], read[row])).collect()
     };
     let springs = readings("");
     assert!(springs.iter().any(|row| row.0 == 0.0) && springs.iter().any(|row| row.0 > 0.0));
@@ -200,35 +196,16 @@ const SEATS: &[Mistake] = &[
 #[test]
 fn seats_that_cannot_be_are_told_with_their_remedy() {
     let good = model("lathe-on-bed.toml");
-    for (replaced, by, message, remedy) in SEATS {
-        let place = Place::new();
-        place.write("lathe.toml", good.replacen(replaced, by, 1));
-        is_told(&place, "lathe.toml", (replaced, by, message, remedy));
-    }
     let place = Place::new();
+    place.refuses(("run", "lathe.toml"), &good, SEATS);
     place.write("lathe.toml", good.replace("along = \"", "gap = \"1 um\"\nalong = \""));
-    let told = ("along", "gap", "9 joints are more than the 8 that can be no springs", "make springs of those");
-    is_told(&place, "lathe.toml", told);
-}
-
-/// Holds what is refused of a model against a mistake.
-fn is_told(place: &Place, file: &str, (replaced, by, message, remedy): (&str, &str, &str, &str)) {
-    let answer = place.fem(&["run", file]);
-    assert_eq!(answer.status, 2, "{replaced} {by}: {}", answer.out);
-    let told = answer.err.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
-    assert!(told.contains(message) && told.contains(remedy), "{replaced} -> {by}: {}", answer.err);
+    let told = ("9 joints are more than the 8 that can be no springs", "make springs of those");
+    place.is_refused(&["run", "lathe.toml"], "a gap in every joint", told);
 }
 
 #[test]
 fn drawings_that_cannot_be_are_told_with_their_remedy() {
-    let good = model("lathe-on-bed.toml");
-    for (replaced, by, message, remedy) in CASES {
-        let place = Place::new();
-        let text = good.replacen(replaced, by, 1);
-        assert_ne!(text, good, "{replaced}");
-        place.write("lathe.toml", text);
-        is_told(&place, "lathe.toml", (replaced, by, message, remedy));
-    }
+    Place::new().refuses(("run", "lathe.toml"), &model("lathe-on-bed.toml"), CASES);
 }
 
 /// What nothing holds is told by the node that moves most, and how many go with it.
@@ -316,6 +293,6 @@ fn compliances_that_cannot_be_are_told_with_their_remedy() {
         let text = good.replacen(replaced, by, 1);
         assert_ne!(text, good, "{replaced}");
         place.write("measured-lathe.csv", text);
-        is_told(&place, "measured.toml", (replaced, by, message, remedy));
+        place.is_refused(&["run", "measured.toml"], by, (*message, *remedy));
     }
 }

@@ -3,7 +3,6 @@
 //! The jaws hold the moment of the cutting force by friction: n·μ·F·R ≥ S·F_c·r, R the radius that they hold and r that which is cut, while they press with F = F₀ ∓ m·r·ω² (VDI
 //! 3106:2004, of a chuck that holds by its jaws alone; forces of feed and thrust are held by stops).
 
-use super::grip::Grip;
 use super::machine::Machine;
 use super::setup::Setup;
 use crate::process::Advice;
@@ -17,8 +16,7 @@ pub fn least_force(machine: &Machine) -> Option<f64> {
     let jaws = machine.jaw_angles.len() as f64;
     let while_cut = margin * (*cutting_force)? * setup.cut_radius() / (jaws * (*friction)? * setup.held_radius());
     let (speed, moment) = (setup.speed(), machine.jaw_moment);
-    let flies = moment * speed * speed;
-    Some(if *grip == Grip::Outside { while_cut + flies } else { (while_cut - flies).max(0.0) })
+    Some((while_cut + grip.inwards() * moment * speed * speed).max(0.0))
 }
 
 /// Says that the jaws do not hold the cut, where the model knows that.

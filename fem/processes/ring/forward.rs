@@ -1,7 +1,6 @@
 //! Deviation of the cut surface in every row: what the jaws squeeze, and what the cut adds.
 
 use super::circle::evenly;
-use super::grip::Grip;
 use super::machine::{BorePoint, Machine};
 use super::response::{Proportions, Response};
 use super::rows::{self, ANGLE_OF_ROW, CLAMPED, JAW_FORCE, ORIENTATION, SPEED, STATE};
@@ -22,8 +21,7 @@ pub fn squeezed(machine: &Machine) -> Result<Motion, Failure> {
     let (setup, jaws) = (&machine.setup, machine.jaws()?);
     let poisson_ratio = setup.material.poisson_ratio;
     // Rings are solved with E = b = 1.
-    let sign = if setup.grip == Grip::Outside { 1.0 } else { -1.0 };
-    let compliance = sign / (setup.material.youngs_modulus * setup.width);
+    let compliance = setup.grip.inwards() / (setup.material.youngs_modulus * setup.width);
     let mesh = match &setup.body {
         Body::Cells(mesh) => *mesh,
         Body::Drawn(drawn) => {

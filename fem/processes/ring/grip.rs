@@ -12,4 +12,12 @@ pub enum Grip {
 impl Grip {
     /// The words of the model file, the default first.
     pub const WORDS: &[(&'static str, Self)] = &[("outside", Self::Outside), ("inside", Self::Inside)];
+
+    /// 1 where the jaws press inwards, −1 where outwards.
+    pub fn inwards(self) -> f64 {
+        match self {
+            Self::Outside => 1.0,
+            Self::Inside => -1.0,
+        }
+    }
 }

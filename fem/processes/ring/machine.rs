@@ -105,11 +105,7 @@ impl Machine {
     /// Force of a jaw while the spindle turns at `speed` (rad/s), from its `force` at standstill (N):
     /// F = max(0, F₀ − m·r·ω²), and F₀ + m·r·ω² of jaws that hold the ring from inside.
     pub fn force_at(&self, force: f64, speed: f64) -> f64 {
-        let flies = self.jaw_moment * speed * speed;
-        match self.setup.grip {
-            Grip::Outside => (force - flies).max(0.0),
-            Grip::Inside => force + flies,
-        }
+        (force - self.setup.grip.inwards() * self.jaw_moment * speed * speed).max(0.0)
     }
 
     /// Force of a jaw while the model's ring is cut, N.

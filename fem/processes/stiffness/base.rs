@@ -1,6 +1,6 @@
 //! A whole machine under test: a structure, the places at which it is pushed, and the dials that watch it.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::input::Reader;
 use crate::joint::{Joint, Seat};
@@ -85,14 +85,13 @@ impl Base {
         Some(Self { drawn, loads, dials, compliance, seats })
     }
 
-    /// Reading of a dial under a force (N) at a place, by their numbers from 0, m.
+    /// Readings of all dials under a force (N) at a place, by its number from 0, m.
     ///
     /// # Errors
     /// The joints found no equilibrium.
-    pub fn reading(&self, load: usize, dial: usize, force: f64) -> Result<f64, Failure> {
-        let moved = self.given_way(load, force)?;
-        let by_seats: f64 = moved.iter().enumerate().map(|(j, by)| self.seats.to_dials[(dial, j)] * by).sum();
-        Ok(self.compliance[(dial, load)] * force + by_seats)
+    pub fn readings(&self, load: usize, force: f64) -> Result<Vec<f64>, Failure> {
+        let moved = DVector::from_vec(self.given_way(load, force)?);
+        Ok((self.compliance.column(load) * force + &self.seats.to_dials * moved).as_slice().to_vec())
     }
 
     /// How far its seats give way under a force (N) at a place, m.

@@ -1,5 +1,8 @@
 //! Predicts every row from the curve of the joint, and from the structure that it stands on.
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
 use super::curve::Curve;
 use super::machine::Machine;
 use super::rows::{FORCE_OF_ROW, branch, dial, load, reached};
@@ -20,11 +23,17 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     let curve = &machine.curve;
     let own = of_joint(curve, rows);
     let Some(base) = &machine.setup.base else { return Ok(own) };
+    // Dials that watch one push share its equilibrium.
+    let mut readings: HashMap<(usize, u64), Vec<f64>> = HashMap::new();
     let of_row = |row: usize| {
         let (load, dial) = (load(rows, row), dial(rows, row));
         let passed_on = curve.spring_force(rows.columns[FORCE_OF_ROW][row], branch(rows, row));
         let own = if base.watches(load, dial) { own[row] } else { curve.offset };
-        Ok(own + base.reading(load, dial, passed_on)?)
+        let all = match readings.entry((load, passed_on.to_bits())) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(new) => new.insert(base.readings(load, passed_on)?),
+        };
+        Ok(own + all[dial])
     };
     (0..rows.len()).map(of_row).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::rig::*;
 use crate::element::plane::{Elasticity, PlaneState, Quad8};
-use crate::mesh::{Grading, Lattice, RingMesh};
+use crate::mesh::Lattice;
 use crate::solve::elastic::{ElasticSystem, Loads, Prescribed, nodal_stresses};
 use crate::solve::ring::{Bore, ContactArc, add_jaws};
 use crate::validation::{Case, Tolerance};
@@ -60,16 +60,7 @@ fn condensed() -> Vec<(f64, f64)> {
 
 /// The same as loads on the mesh.
 fn solved(degrees: f64) -> Option<f64> {
-    let ring = RingMesh {
-        outer_radius: 0.05,
-        inner_radius: 0.042,
-        circumferential: 360,
-        radial: 6,
-        element: &Quad8,
-        grading: Grading::uniform(),
-    };
-    let mesh = ring.build().ok()?;
-    let law = Elasticity::new(PlaneState::Stress, 210e9, 0.3, 0.0, 0.02).ok()?;
+    let (mesh, law) = mesh()?;
     let angles = [0.0, 123.3, 238.9f64].map(f64::to_radians);
     let sines = [0, 1, 2].map(|jaw: usize| (angles[(jaw + 2) % 3] - angles[(jaw + 1) % 3]).sin());
     let sum: f64 = sines.iter().sum();

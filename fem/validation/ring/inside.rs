@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::rig::*;
-use crate::element::plane::{Elasticity, PlaneState, Quad8};
-use crate::mesh::{BORE, Grading, RingMesh};
+use crate::mesh::BORE;
 use crate::solve::elastic::{ElasticSystem, Loads};
 use crate::solve::ring::{ContactArc, add_jaws_on};
 use crate::validation::{Case, Tolerance};
@@ -49,17 +48,7 @@ fn solved() -> Vec<Case> {
 
 /// Radial displacement of the outside at every degree, m, its first harmonic taken out.
 fn outside_of_the_solved() -> Option<Vec<f64>> {
-    let (radii, grading) = ([0.05, 0.042], Grading::uniform());
-    let ring = RingMesh {
-        outer_radius: radii[0],
-        inner_radius: radii[1],
-        circumferential: 360,
-        radial: 6,
-        element: &Quad8,
-        grading,
-    };
-    let mesh = ring.build().ok()?;
-    let law = Elasticity::new(PlaneState::Stress, 210e9, 0.3, 0.0, 0.02).ok()?;
+    let (mesh, law) = mesh()?;
     let jaw = |k: usize| ContactArc { angle: TAU * k as f64 / 3.0, width: 7.3f64.to_radians(), force: -3000.0 };
     let mut loads = Loads::none(&mesh);
     add_jaws_on(BORE, &mut loads, &mesh, &[jaw(0), jaw(1), jaw(2)]).ok()?;
@@ -67,7 +56,7 @@ fn outside_of_the_solved() -> Option<Vec<f64>> {
     let angle = |degrees: usize| (degrees as f64).to_radians();
     let radial = |degrees: usize| {
         let (sine, cosine) = angle(degrees).sin_cos();
-        let node = mesh.nearest_node([radii[0] * cosine, radii[0] * sine]);
+        let node = mesh.nearest_node([0.05 * cosine, 0.05 * sine]);
         let [u, v] = solution.nodes[node];
         u * cosine + v * sine
     };

@@ -1,5 +1,7 @@
 //! Rings and rows for the table.
 
+use crate::element::plane::{Elasticity, PlaneState, Quad8};
+use crate::mesh::{Grading, Mesh, RingMesh};
 use crate::process::{Assembled, ForwardModel, Rows, Values, assembled};
 use crate::processes::ring::Ring;
 use crate::processes::ring::rows::{ANGLE_OF_ROW, COORDINATES, JAW_FORCE, RUN, SPEED, STATE};
@@ -52,4 +54,17 @@ pub fn deviations(chuck: &Option<Chuck>, angles: &[f64], changes: &[(usize, f64)
 /// Radial displacement of the clamped bore at an angle (rad), m.
 pub fn clamped(chuck: &Option<Chuck>, angle: f64) -> f64 {
     deviations(chuck, &[angle], &[(STATE, 1.0)])[0]
+}
+
+/// The mesh of the ring of these rows with a bore of 84 mm, and its elastic law, for a solution of its own.
+pub fn mesh() -> Option<(Mesh, Elasticity)> {
+    let ring = RingMesh {
+        outer_radius: 0.05,
+        inner_radius: 0.042,
+        circumferential: 360,
+        radial: 6,
+        element: &Quad8,
+        grading: Grading::uniform(),
+    };
+    Some((ring.build().ok()?, Elasticity::new(PlaneState::Stress, 210e9, 0.3, 0.0, 0.02).ok()?))
 }

@@ -130,7 +130,7 @@ impl Scene {
             let push = clamped * jaw.share * setup.jaw_force;
             let node = grid.points.len();
             grid.push(Cell::Vertex, &[node as u32]);
-            let (at, sign) = ([cosine, sine].map(|c| setup.held_radius() * c), inwards(setup.grip));
+            let (at, sign) = ([cosine, sine].map(|c| setup.held_radius() * c), setup.grip.inwards());
             grid.points.push([at[0], at[1], 0.0]);
             force.push([-sign * push * cosine, -sign * push * sine, 0.0]);
             // A jaw goes with the surface that it presses on.
@@ -194,11 +194,6 @@ impl Scene {
     }
 }
 
-/// 1 where the jaws press inwards, −1 where outwards.
-fn inwards(grip: Grip) -> f64 {
-    if grip == Grip::Outside { 1.0 } else { -1.0 }
-}
-
 /// The mesh, and on it the jaws at standstill.
 fn pressed(setup: &Setup, jaws: &[Jaw]) -> Result<(Arc<Mesh>, Loads), Failure> {
     match &setup.body {
@@ -209,10 +204,8 @@ fn pressed(setup: &Setup, jaws: &[Jaw]) -> Result<(Arc<Mesh>, Loads), Failure> {
         }
         Body::Cells(size) => {
             let mesh = size.mesh(setup.outer_radius, setup.inner_radius)?;
-            let (force, held) = match setup.grip {
-                Grip::Outside => (setup.jaw_force, OUTSIDE),
-                Grip::Inside => (-setup.jaw_force, BORE),
-            };
+            let force = setup.grip.inwards() * setup.jaw_force;
+            let held = if setup.grip == Grip::Outside { OUTSIDE } else { BORE };
             let pushes: Vec<ContactArc> = jaws.iter().map(|jaw| jaw.load(force)).collect();
             let mut loads = Loads::none(&mesh);
             add_jaws_on(held, &mut loads, &mesh, &pushes).map_err(unsolvable)?;

@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use super::super::grip::Grip;
 use super::super::machine::Machine;
 use crate::process::{Part, Sketch};
 use crate::units::{FORCE, LENGTH};
@@ -19,8 +18,8 @@ pub fn sketch(machine: &Machine) -> Sketch {
     let force = machine.cutting_force();
     for (i, angle) in machine.jaw_angles.iter().enumerate() {
         let label = format!("jaw {}, {:.0}", i + 1, FORCE.shown(force));
-        let away = if setup.grip == Grip::Outside { -force } else { force };
-        parts.push(Part::Force { at: on(setup.held_radius(), *angle), force: on(away, *angle), label });
+        let pushed = on(-setup.grip.inwards() * force, *angle);
+        parts.push(Part::Force { at: on(setup.held_radius(), *angle), force: pushed, label });
     }
     let [outer, inner] = [setup.outer_radius, setup.inner_radius].map(|r| LENGTH.shown(2.0 * r));
     Sketch { title: format!("the ring, {outer:.1} outside and {inner:.1} inside, while it is cut"), parts }

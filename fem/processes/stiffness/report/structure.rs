@@ -75,8 +75,8 @@ fn pushed(base: &Base, shares: &Shares) -> Figure {
 fn compliance(base: &Base, most: f64) -> Result<Table, Failure> {
     let all = || (0..base.loads.len()).flat_map(|load| (0..base.dials.len()).map(move |dial| (load, dial)));
     let numbers = |of: fn((usize, usize)) -> usize| all().map(|pair| 1.0 + of(pair) as f64).collect();
-    let per_force = |(load, dial)| Ok(1e9 * base.reading(load, dial, most)? / most);
-    let values = all().map(per_force).collect::<Result<_, Failure>>()?;
+    let readings = (0..base.loads.len()).map(|load| base.readings(load, most)).collect::<Result<Vec<_>, Failure>>()?;
+    let values = readings.concat().iter().map(|reading| 1e9 * reading / most).collect();
     Ok(Table {
         columns: vec![
             Column::numbers("load", None, numbers(|pair| pair.0)),
