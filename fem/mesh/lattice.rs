@@ -39,15 +39,32 @@ impl Lattice {
     /// # Errors
     /// As [`Mesh::new`].
     pub fn mesh(&self, names: [&str; 4], place: impl Fn(usize, usize) -> [f64; 2]) -> Result<Mesh, MeshError> {
+        self.mesh_where(|_, _| true, names, place)
+    }
+
+    /// As [`mesh`](Self::mesh), of the cells (column, row) that are `filled` alone. Sides are called by the neighbour that their
+    /// cell does not have.
+    ///
+    /// # Errors
+    /// As [`Mesh::new`].
+    pub fn mesh_where(
+        &self,
+        filled: impl Fn(usize, usize) -> bool,
+        names: [&str; 4],
+        place: impl Fn(usize, usize) -> [f64; 2],
+    ) -> Result<Mesh, MeshError> {
         let corners = self.corner_sets();
         let mut numbers = vec![u32::MAX; self.width() * (2 * self.rows + 1)];
         let mut nodes = Vec::new();
         let (mut connectivity, mut sides) = (Vec::new(), BTreeMap::<String, Vec<Side>>::new());
-        for (column, row) in (0..self.columns).flat_map(|column| (0..self.rows).map(move |row| (column, row))) {
+        let cells = (0..self.columns).flat_map(|column| (0..self.rows).map(move |row| (column, row)));
+        for (column, row) in cells.filter(|(column, row)| filled(*column, *row)) {
+            let bare = self.bare(&filled, column, row);
             for corner in &corners {
                 let places: Vec<Place> = corner.iter().map(|[i, j]| [2 * column + i, 2 * row + j]).collect();
                 let element = (connectivity.len() / self.element.nodes()) as u32;
-                for (side, name) in self.named_sides(&places, names) {
+                for (side, border) in self.borders(corner).filter(|(_, border)| bare[*border]) {
+                    let name = names[border];
                     sides.entry(name.to_owned()).or_default().push(Side { element, side });
                 }
                 for [i, j] in places {
@@ -80,21 +97,28 @@ impl Lattice {
         }
     }
 
-    /// Sides of the element at `places` that lie on the border of the lattice.
-    fn named_sides<'n>(&self, places: &[Place], names: [&'n str; 4]) -> Vec<(u8, &'n str)> {
-        let [bottom, right, top, left] = names;
-        let (last_column, last_row) = (2 * self.columns, 2 * self.rows);
-        let mut found = Vec::new();
-        for (side, nodes) in (0..).zip(self.element.edges()) {
-            let all = |on: &dyn Fn(Place) -> bool| nodes.iter().all(|&node| on(places[node]));
-            let borders: [(&dyn Fn(Place) -> bool, &str); 4] = [
-                (&|[_, j]| j == 0, bottom),
-                (&|[i, _]| i == last_column && !self.closed, right),
-                (&|[_, j]| j == last_row, top),
-                (&|[i, _]| i == 0 && !self.closed, left),
-            ];
-            found.extend(borders.iter().filter(|(on, _)| all(on)).map(|&(_, name)| (side, name)));
-        }
-        found
+    /// Whether a cell has no neighbour below, to the right, above and to the left.
+    fn bare(&self, filled: &impl Fn(usize, usize) -> bool, column: usize, row: usize) -> [bool; 4] {
+        let last = self.columns - 1;
+        let [right, left] = match self.closed {
+            true => [Some((column + 1) % self.columns), Some((column + last) % self.columns)],
+            false => [(column < last).then_some(column + 1), column.checked_sub(1)],
+        };
+        [
+            row == 0 || !filled(column, row - 1),
+            right.is_none_or(|right| !filled(right, row)),
+            row + 1 == self.rows || !filled(column, row + 1),
+            left.is_none_or(|left| !filled(left, row)),
+        ]
+    }
+
+    /// Sides of an element whose nodes are at `corner` in its cell that lie on a border of the cell: 0 below, then
+    /// counter-clockwise.
+    fn borders(&self, corner: &[Place]) -> impl Iterator<Item = (u8, usize)> {
+        let on = |nodes: &[usize]| {
+            let all = |axis: usize, at: usize| nodes.iter().all(|&node| corner[node][axis] == at);
+            [all(1, 0), all(0, 2), all(1, 2), all(0, 0)].into_iter().position(|is_on| is_on)
+        };
+        (0..).zip(self.element.edges()).filter_map(move |(side, nodes)| on(nodes).map(|border| (side, border)))
     }
 }

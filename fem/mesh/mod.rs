@@ -10,6 +10,7 @@ mod locate;
 mod rectangle;
 mod ring;
 mod spacing;
+mod stepped;
 #[cfg(test)]
 mod tests;
 
@@ -22,6 +23,7 @@ pub use locate::Place;
 pub use rectangle::RectangleMesh;
 pub use ring::{BORE, OUTSIDE, RingMesh};
 pub use spacing::Grading;
+pub use stepped::SteppedMesh;
 
 use crate::element::plane::{EDGE_NODES, EdgeCurve, MAX_NODES, PlaneElement};
 

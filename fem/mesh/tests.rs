@@ -44,6 +44,29 @@ fn graded_cells_end_at_the_given_angles_and_shrink_there() {
 }
 
 #[test]
+fn stepped_bodies_have_their_area_and_faces() {
+    let pieces = [(0.05, 0.045), (0.12, 0.02), (0.06, 0.045), (0.07, 0.015)];
+    for element in ALL {
+        let mesh = SteppedMesh { pieces: &pieces, size: 0.008, element: *element }.build().unwrap();
+        let exact: f64 = pieces.iter().map(|(length, height)| length * height).sum();
+        assert!((area(&mesh) / exact - 1.0).abs() < 1e-13, "{element:?}");
+        assert_eq!(mesh.connected(), Ok(()));
+        let length = |name: &str| mesh.sides(name).unwrap().iter().map(|&side| mesh.curve(side).length()).sum::<f64>();
+        // The walls of the steps are ends too.
+        for (name, expected) in [("underside", 0.3), ("top", 0.3), ("ends", 0.045 + 2.0 * 0.025 + 0.03 + 0.015)] {
+            assert!((length(name) - expected).abs() < 1e-13, "{element:?} {name} {}", length(name));
+        }
+        for node in mesh.nodes_on("top").unwrap() {
+            let [x, y] = mesh.nodes()[node as usize];
+            assert!(pieces.iter().any(|(_, height)| (y - height).abs() < 1e-15), "{x} {y}");
+        }
+        assert_eq!(mesh.boundary().len(), mesh.names().map(|name| mesh.sides(name).unwrap().len()).sum::<usize>());
+    }
+    let flat = SteppedMesh { pieces: &[(0.1, 0.0)], size: 0.01, element: &Quad4 };
+    assert!(flat.build().unwrap_err().to_string().contains("height"));
+}
+
+#[test]
 fn rectangles_have_their_sides() {
     for element in ALL {
         let mesh = RectangleMesh::uniform([0.6, 1.0], [3, 5], *element).build().unwrap();

@@ -48,6 +48,14 @@ pub const COMPLIANCE: Doubt = Doubt::by_factor(
 pub const CONTACT: Doubt =
     Doubt::by_factor(0.3, 3.0, Grows::Linearly, "coefficients of contacts are of surfaces that somebody else prepared");
 
+/// Coefficient of friction.
+pub const FRICTION: Doubt = Doubt::by_factor(
+    0.3,
+    3.0,
+    Grows::Linearly,
+    "coefficients of friction differ by a factor of two between dry and oiled pads of one kind",
+);
+
 /// Free length of a tool holder.
 pub const OVERHANG: Doubt =
     Doubt::by_factor(0.05, 1.3, Grows::Otherwise, "an overhang is set by hand and read off a ruler");

@@ -2,6 +2,7 @@
 //! units, no knowledge of any file format.
 
 use crate::element::plane::PlaneElement;
+use crate::mesh::Mesh;
 use crate::units::Kind;
 
 /// Shape of a cell. The discriminant is VTK's cell type number.
@@ -131,6 +132,14 @@ pub struct Grid {
 }
 
 impl Grid {
+    /// The elements of a plane mesh at z = 0.
+    pub fn of(mesh: &Mesh) -> Self {
+        let points = mesh.nodes().iter().map(|[x, y]| [*x, *y, 0.0]).collect();
+        let mut grid = Self { points, ..Self::default() };
+        mesh.elements().for_each(|element| grid.push(Cell::of(element.kind), element.nodes));
+        grid
+    }
+
     /// The field of a name on the points.
     pub fn point_field(&self, name: &str) -> Option<&Field> {
         self.point_fields.iter().find(|field| field.name == name)

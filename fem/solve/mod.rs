@@ -1,9 +1,8 @@
 //! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks
-//! both, plane structures of beams and springs, a beam pressed on supports, heat in a rod from a tool that travels (`heat`) and from sources that
+//! both, plane structures of beams and springs, a part laid on supports, heat in a rod from a tool that travels (`heat`) and from sources that
 //! are switched (`rod`); plane bodies: the sparse system, displacement, rings in jaws, temperature.
 
 mod bar;
-pub mod beam;
 mod cholesky;
 pub mod conduction;
 pub mod elastic;
@@ -11,6 +10,7 @@ mod equilibrium;
 mod foundation;
 pub mod frame;
 pub mod heat;
+pub mod laid;
 mod plane;
 pub mod ring;
 pub mod rod;

@@ -60,8 +60,7 @@ impl Scene {
         let angles = mesh.nodes().iter().map(|node| angle_of(*node)).collect();
         let cut = forward::absolute(machine, forward, &rows::released(&setup, angles))?;
         let while_boring = if setup.jaw_force > 0.0 { machine.cutting_force() / setup.jaw_force } else { 0.0 };
-        let mut grid = Grid { points: vec![[0.0; 3]; mesh.nodes().len()], ..Grid::default() };
-        mesh.elements().for_each(|element| grid.push(Cell::of(element.kind), element.nodes));
+        let grid = Grid::of(&mesh);
         let skin = Arc::new(Skin::thickened(&grid, setup.width));
         Ok(Self { setup, mesh, jaws, displacements, stresses, cut, while_boring, skin })
     }
@@ -108,7 +107,7 @@ impl Scene {
     fn frame(&self, i: usize) -> Frame {
         let time = i as f64 / STEPS as f64;
         let ((clamped, bored), setup) = (self.state(time), &self.setup);
-        let mut grid = Grid::default();
+        let mut grid = Grid::of(&self.mesh);
         let mut force = vec![[0.0; 3]; self.mesh.nodes().len()];
         let (mut displacement, mut stress, mut single) = (Vec::new(), Vec::new(), Vec::new());
         for (node, &[x, y]) in self.mesh.nodes().iter().enumerate() {
@@ -117,12 +116,10 @@ impl Scene {
             let cut = bored * self.cut[node] * depth / r;
             let [u, v] = self.displacements[node];
             let [xx, yy, xy] = self.stresses[node].map(|s| clamped * s);
-            grid.points.push([x, y, 0.0]);
             displacement.push([clamped * u + cut * x, clamped * v + cut * y, 0.0]);
             stress.push([xx, yy, 0.0, xy, 0.0, 0.0]);
             single.push(equivalent([xx, yy, xy]));
         }
-        self.mesh.elements().for_each(|element| grid.push(Cell::of(element.kind), element.nodes));
         let mut bodies = vec![Drawn::thickened("ring", self.skin.clone())];
         let mut arrows = Vec::new();
         for jaw in &self.jaws {

@@ -118,7 +118,7 @@ impl Scene {
         }
         let skin = Arc::new(match (&shape, &setup.body) {
             (Shape::Rod(x), Body::Rod(segments)) => bodies::rod(x, segments),
-            (Shape::Plane(flat), _) => Skin::thickened(&flat.cells(), flat.plane.width),
+            (Shape::Plane(flat), _) => Skin::thickened(&Grid::of(&flat.mesh), flat.plane.width),
             _ => Skin::default(),
         });
         let bow = seen(Look::Bow);
@@ -200,18 +200,8 @@ impl Flat {
         Ok(Self { plane: plane.clone(), system, mesh, law })
     }
 
-    /// Its cells, without fields.
-    fn cells(&self) -> Grid {
-        let points = self.mesh.nodes().iter().map(|n| [n[0], n[1], 0.0]).collect();
-        let mut grid = Grid { points, ..Grid::default() };
-        for element in self.mesh.elements() {
-            grid.push(Cell::of(element.kind), element.nodes);
-        }
-        grid
-    }
-
     fn grid(&self, rises: &[f64]) -> Grid {
-        let (mesh, mut grid) = (&self.mesh, self.cells());
+        let (mesh, mut grid) = (&self.mesh, Grid::of(&self.mesh));
         let mut loads = Loads::none(mesh);
         loads.add_temperature(mesh, &self.law, rises);
         // Thermal loads are in equilibrium and finite, and the body has been factored: what is left to fail

@@ -1,40 +1,73 @@
-//! The beam on a given set of supports, each of which holds both ways.
+//! The part on a given set of supports, each of which holds both ways.
 
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{BeamError, Bending, Load, Settled, Support};
+use super::{Flexible, LaidError, Load, Settled, Spot, Support, friction};
 use crate::joint::JointState;
 
 /// Residual at which forces and displacements count as in equilibrium, relative to the terms of each
 /// equation.
 const TOLERANCE: f64 = 1e-13;
 const MAX_ITERATIONS: usize = 80;
+/// Change of friction as a part of the loads at which it has come to rest.
+const SETTLED: f64 = 1e-12;
 
-/// A beam on supports that hold both ways.
+/// A part on supports that hold both ways.
 pub(super) struct Carried {
     /// Force of every support, N; those that do not carry are included.
     pub forces: Vec<f64>,
-    /// The beam at rest.
-    pub beam: Settled,
+    /// Friction of every support on the part, N.
+    pub friction: Vec<f64>,
+    /// The part at rest.
+    pub part: Settled,
 }
 
 /// Solves for the forces of the supports that carry.
 pub(super) fn carry(
-    bending: &Arc<Bending>,
+    part: &Arc<Flexible>,
     supports: &[Support],
     carrying: &[bool],
     loads: &[Load],
-) -> Result<Carried, BeamError> {
+) -> Result<Carried, LaidError> {
     let own: Vec<usize> = (0..supports.len()).filter(|i| carrying[*i]).collect();
-    let problem = Problem::new(bending, own.iter().map(|i| &supports[*i]).collect(), loads);
-    let (found, rigid) = if own.len() == 2 { problem.by_statics() } else { problem.by_newton()? };
-    let mut forces = vec![0.0; supports.len()];
-    own.iter().zip(&found).for_each(|(i, q)| forces[*i] = *q);
-    let acting = loads.iter().map(|l| (l.at, l.force));
-    let acting = acting.chain(supports.iter().zip(&forces).map(|(s, q)| (s.at, -q))).collect();
-    Ok(Carried { forces, beam: Settled { bending: bending.clone(), forces: acting, rigid, reactions: Vec::new() } })
+    let mut problem = Problem::new(part, own.iter().map(|i| &supports[*i]).collect(), loads);
+    let (mut found, mut rigid) = problem.solve()?;
+    let mut held = vec![0.0; own.len()];
+    if own.iter().any(|i| supports[*i].friction > 0.0) {
+        let lost = LaidError::NoEquilibrium { load: problem.total };
+        let spots: Vec<Spot> = own.iter().map(|i| supports[*i].spot.along()).collect();
+        let influence = part.influence(&spots);
+        // Friction bends the part, and what that changes of the forces changes friction: a small part each time.
+        for round in 0.. {
+            let next = problem.friction(part, &spots, &influence, &found).ok_or(lost)?;
+            let change = held.iter().zip(&next).map(|(t, next): (&f64, &f64)| (t - next).abs()).fold(0.0, f64::max);
+            held = next;
+            if change <= SETTLED * problem.total {
+                break;
+            }
+            if round == MAX_ITERATIONS {
+                return Err(lost);
+            }
+            problem.bend(part, &spots, &held);
+            (found, rigid) = problem.solve()?;
+        }
+    }
+    let [mut forces, mut friction] = [vec![0.0; supports.len()], vec![0.0; supports.len()]];
+    for (k, i) in own.iter().enumerate() {
+        (forces[*i], friction[*i]) = (found[k], held[k]);
+    }
+    let acting = acting(supports, loads, &forces, &friction);
+    Ok(Carried { forces, friction, part: Settled { part: part.clone(), forces: acting, rigid, reactions: Vec::new() } })
+}
+
+/// All that acts on the part: loads, reactions and friction.
+pub(super) fn acting(supports: &[Support], loads: &[Load], forces: &[f64], friction: &[f64]) -> Vec<(Spot, f64)> {
+    let pressed = loads.iter().map(|l| (l.spot, l.force));
+    let carried = supports.iter().zip(forces).map(|(s, q)| (s.spot, -q));
+    let held = supports.iter().zip(friction).filter(|(_, t)| **t != 0.0).map(|(s, t)| (s.spot.along(), *t));
+    pressed.chain(carried).chain(held).collect()
 }
 
 struct Problem<'a> {
@@ -42,7 +75,7 @@ struct Problem<'a> {
     loads: &'a [Load],
     /// G(x_i, x_j) between supports, m/N.
     influence: DMatrix<f64>,
-    /// Deflection of the supports' places by the loads, m.
+    /// Deflection of the supports' places by the loads and by friction, m.
     bent: Vec<f64>,
     /// Middle and half of the supports' span, m, about which turns are counted.
     middle: f64,
@@ -63,20 +96,42 @@ struct Trial {
 }
 
 impl<'a> Problem<'a> {
-    fn new(bending: &Bending, supports: Vec<&'a Support>, loads: &'a [Load]) -> Self {
-        let bend = |x: f64, s: f64| bending.influence(x, s);
-        let at = |i: usize| supports[i].at;
+    fn new(part: &Flexible, supports: Vec<&'a Support>, loads: &'a [Load]) -> Self {
+        let at = |i: usize| supports[i].spot.at;
         let (from, to) = (0..supports.len())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), i| (low.min(at(i)), high.max(at(i))));
+        let pressed: Vec<(Spot, f64)> = loads.iter().map(|l| (l.spot, l.force)).collect();
         Self {
-            influence: DMatrix::from_fn(supports.len(), supports.len(), |i, j| bend(at(i), at(j))),
-            bent: supports.iter().map(|s| loads.iter().map(|l| l.force * bend(s.at, l.at)).sum()).collect(),
+            influence: part.influence(&supports.iter().map(|s| s.spot).collect::<Vec<Spot>>()),
+            bent: supports.iter().map(|s| part.deflection(&s.spot, &pressed)).collect(),
             middle: 0.5 * (from + to),
             half: 0.5 * (to - from),
             total: loads.iter().map(|l| l.force).sum(),
             supports,
             loads,
         }
+    }
+
+    /// Friction (N) that belongs to these forces of the supports, whose `spots` along the part have this influence.
+    fn friction(&self, part: &Flexible, spots: &[Spot], influence: &DMatrix<f64>, forces: &[f64]) -> Option<Vec<f64>> {
+        let pressed = self.loads.iter().map(|l| (l.spot, l.force));
+        let acting: Vec<(Spot, f64)> =
+            pressed.chain(self.supports.iter().zip(forces).map(|(s, q)| (s.spot, -q))).collect();
+        let free: Vec<f64> = spots.iter().map(|spot| part.deflection(spot, &acting)).collect();
+        let limits: Vec<f64> = self.supports.iter().zip(forces).map(|(s, q)| s.friction * q.max(0.0)).collect();
+        friction::held(influence, &free, &limits)
+    }
+
+    /// Lets loads and friction bend the part.
+    fn bend(&mut self, part: &Flexible, spots: &[Spot], friction: &[f64]) {
+        let pressed = self.loads.iter().map(|l| (l.spot, l.force));
+        let all: Vec<(Spot, f64)> = pressed.chain(spots.iter().copied().zip(friction.iter().copied())).collect();
+        self.bent = self.supports.iter().map(|s| part.deflection(&s.spot, &all)).collect();
+    }
+
+    /// Forces of the supports, and the rigid motion.
+    fn solve(&self) -> Result<(Vec<f64>, (f64, f64)), LaidError> {
+        if self.supports.len() == 2 { Ok(self.by_statics()) } else { self.by_newton() }
     }
 
     /// Lever of a place about the middle, in half spans.
@@ -86,8 +141,9 @@ impl<'a> Problem<'a> {
 
     /// Two supports: the levers decide.
     fn by_statics(&self) -> (Vec<f64>, (f64, f64)) {
-        let [a, b] = [self.supports[0].at, self.supports[1].at];
-        let share = |from: f64, to: f64| self.loads.iter().map(|l| l.force * (l.at - from)).sum::<f64>() / (to - from);
+        let [a, b] = [self.supports[0].spot.at, self.supports[1].spot.at];
+        let share =
+            |from: f64, to: f64| self.loads.iter().map(|l| l.force * (l.spot.at - from)).sum::<f64>() / (to - from);
         let forces = vec![share(b, a), share(a, b)];
         let y = |i: usize| {
             let support = self.supports[i];
@@ -104,8 +160,8 @@ impl<'a> Problem<'a> {
     }
 
     /// Newton's method along the joints' paths, each step as long as it lowers the residual.
-    fn by_newton(&self) -> Result<(Vec<f64>, (f64, f64)), BeamError> {
-        let failure = BeamError::NoEquilibrium { load: self.total };
+    fn by_newton(&self) -> Result<(Vec<f64>, (f64, f64)), LaidError> {
+        let failure = LaidError::NoEquilibrium { load: self.total };
         let mut trial = self.start().ok_or(failure)?;
         for _ in 0..MAX_ITERATIONS {
             if trial.size <= TOLERANCE {
@@ -147,14 +203,14 @@ impl<'a> Problem<'a> {
 
     /// Moment of the loads about the middle over the half span, N.
     fn moment(&self) -> f64 {
-        self.loads.iter().map(|l| l.force * self.lever(l.at)).sum()
+        self.loads.iter().map(|l| l.force * self.lever(l.spot.at)).sum()
     }
 
     /// The columns of the rigid motion and the rows of the balance; `rate` is dQ/ds of each support.
     fn border(&self, matrix: &mut DMatrix<f64>, rate: impl Fn(usize) -> f64) {
         let count = self.supports.len();
         for i in 0..count {
-            let lever = self.lever(self.supports[i].at);
+            let lever = self.lever(self.supports[i].spot.at);
             matrix[(i, count)] = -1.0;
             matrix[(i, count + 1)] = -lever;
             matrix[(count, i)] = rate(i);
@@ -168,7 +224,7 @@ impl<'a> Problem<'a> {
         let mut residual = DVector::zeros(count + 2);
         let mut size = 0.0f64;
         for i in 0..count {
-            let turn = rigid[1] * self.lever(self.supports[i].at);
+            let turn = rigid[1] * self.lever(self.supports[i].spot.at);
             let held = states.iter().enumerate().map(|(j, s)| self.influence[(i, j)] * s.force);
             let (sum, sizes) = held.fold((0.0, 0.0), |(sum, sizes), term| (sum + term, sizes + f64::abs(term)));
             let (lowered, displacement) = (self.supports[i].lowered, states[i].displacement);
@@ -176,7 +232,7 @@ impl<'a> Problem<'a> {
             let terms = lowered.abs() + displacement.abs() + rigid[0].abs() + turn.abs() + self.bent[i].abs() + sizes;
             size = size.max(residual[i].abs() / terms.max(f64::MIN_POSITIVE));
         }
-        let lever = |i: usize| self.lever(self.supports[i].at);
+        let lever = |i: usize| self.lever(self.supports[i].spot.at);
         residual[count] = states.iter().map(|s| s.force).sum::<f64>() - self.total;
         residual[count + 1] = (0..count).map(|i| states[i].force * lever(i)).sum::<f64>() - self.moment();
         let terms = self.total + states.iter().map(|s| s.force.abs()).sum::<f64>();
