@@ -96,6 +96,12 @@ const CASES: &[Mistake] = &[
     ),
     ("lobes = 2", "lobes = 1", "`lobes` is 1", "whole number from 2"),
     ("spindle_speed = \"400 rpm\"", "", "`centrifugal-unloading` needs the spindle speed", "remove the effect"),
+    (
+        "effects.jaw-position]\nerror_2 = \"0.6 deg\"\nerror_3 = \"-0.4 deg\"",
+        "effects.jaw-imbalance]\ndifference = \"9 %\"",
+        "`jaw-imbalance` is of four jaws or more",
+        "remove the effect",
+    ),
     ("force_per_depth = \"1 kN/mm\"", "", "`copying` needs the force of the cut", "remove the effect"),
     ("[effects.copying]\nstiffness", "[effects.cutting-heat]\ntemperature_rise", "`temperature_rise`", "K"),
     ("arc = \"24 +- 4 deg\"", "arc = \"24 +- 4 mm\"", "not an angle", "write it in deg"),
@@ -161,6 +167,24 @@ fn a_ring_is_held_by_its_bore() {
     assert_eq!((answer.status, answer.err.as_str()), (0, ""));
     insta::assert_snapshot!(answer.out);
     assert_eq!(place.fem(&["compare", "arbor.toml", "--with", "out/arbor/profile.csv"]).status, 0);
+}
+
+/// Four independent jaws, one pair tightened harder: the bore is an oval, and the weaker pair lets go first.
+#[test]
+fn pairs_of_independent_jaws_differ() {
+    let place = Place::new();
+    let (position, imbalance) =
+        ("jaw-position]\nerror_2 = \"0.6 deg\"\nerror_3 = \"-0.4 deg\"", "jaw-imbalance]\ndifference = \"20 %\"");
+    let text = model("ring.toml").replace("jaws = 3", "jaws = 4").replace(position, imbalance);
+    place.write("four.toml", &text);
+    let answer = place.fem(&["run", "four.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+    place.write("four.toml", text.replace("\"400 rpm\"", "\"2100 rpm\""));
+    let answer = place.fem(&["run", "four.toml"]);
+    assert!(answer.err.contains("at 2100 rpm the weaker jaws no longer press: above 2026 rpm"), "{}", answer.err);
+    place.write("four.toml", text.replace("\"20 %\"", "\"220 %\""));
+    assert!(place.fem(&["run", "four.toml"]).err.contains("`difference` is"));
 }
 
 #[test]

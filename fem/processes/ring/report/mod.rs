@@ -216,9 +216,12 @@ fn clamping(machine: &Machine, forward: &Forward) -> Result<Figure, Failure> {
 }
 
 fn force(machine: &Machine) -> Figure {
-    let (standing, boring, let_go) = (machine.setup.jaw_force, machine.cutting_force(), machine.let_go());
-    let each = format!("{:.1} each", FORCE.shown(standing));
+    let mean = |forces: [f64; 2]| 0.5 * (forces[0] + forces[1]);
+    let (standing, boring, let_go) = (machine.setup.jaw_force, mean(machine.cutting_forces()), machine.let_go());
+    let mean = if machine.difference == 0.0 { "each" } else { "on average" };
+    let each = format!("{:.1} {mean}", FORCE.shown(standing));
     let figure = Figure::new("jaw_force", "jaw force")
+        .lines((machine.difference != 0.0).then(|| shared_out(machine)))
         .quantity("standstill", FORCE, standing)
         .quantity("boring", FORCE, boring)
         .quantity("let_go", SPINDLE_SPEED, let_go);
@@ -250,12 +253,25 @@ fn warnings(machine: &Machine) -> Vec<String> {
     let_go(machine).into_iter().chain(super::advice::slips(machine)).chain(stiffened).collect()
 }
 
+/// Which jaws press with what, where they differ.
+fn shared_out(machine: &Machine) -> String {
+    let listed = |first: usize| {
+        (first..=machine.jaw_angles.len()).step_by(2).map(|jaw| jaw.to_string()).collect::<Vec<_>>().join(", ")
+    };
+    let [one, other] = machine.standing_forces().map(|force| FORCE.shown(force));
+    let [later, weaker] = machine.cutting_forces().map(|force| FORCE.shown(force));
+    let turning = (machine.jaw_moment > 0.0).then(|| format!(", while it is cut with {later:.1} and {weaker:.1}"));
+    format!("jaws {} press with {one:.1} each, {} with {other:.1}{}", listed(1), listed(2), turning.unwrap_or_default())
+}
+
 /// Says that the turning chuck holds nothing, where it does not.
 pub fn let_go(machine: &Machine) -> Option<String> {
     let setup = &machine.setup;
-    (setup.jaw_force > 0.0 && machine.cutting_force() == 0.0).then(|| {
+    let lets_go = machine.standing_forces().into_iter().zip(machine.cutting_forces());
+    lets_go.into_iter().any(|(standing, cutting)| standing > 0.0 && cutting == 0.0).then(|| {
         let [speed, let_go] = [setup.speed(), machine.let_go()].map(|s| SPINDLE_SPEED.shown(s));
-        format!("at {speed:.0} the jaws no longer press: above {let_go:.0} the ring is let go")
+        let jaws = if machine.difference == 0.0 { "the jaws" } else { "the weaker jaws" };
+        format!("at {speed:.0} {jaws} no longer press: above {let_go:.0} the ring is let go")
     })
 }
 
