@@ -1,11 +1,12 @@
 //! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks
 //! both, plane structures of beams and springs, a beam pressed on supports, heat in a rod from a tool that travels (`heat`) and from sources that
-//! are switched (`rod`); plane bodies: the sparse system, displacement, rings in jaws, temperature.
+//! are switched (`rod`); a clamped circular plate (`diaphragm`); plane bodies: the sparse system, displacement, rings in jaws, temperature.
 
 mod bar;
 pub mod beam;
 mod cholesky;
 pub mod conduction;
+pub mod diaphragm;
 pub mod elastic;
 mod equilibrium;
 mod foundation;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::grip::Grip;
 use super::jaws::{self, Group, Jaw, parts};
+use super::membrane::Grasp;
 use super::setup::Setup;
 use crate::process::{self, Command, Failure};
 
@@ -129,10 +130,15 @@ impl Machine {
         Ok((0..count).map(|k| by_group[k % groups.len()][k / groups.len()]).collect())
     }
 
+    /// Σ m·r of a jaw as the ring feels it, kg·m: all of it, unless the jaw stands on a membrane.
+    pub fn thrown_moment(&self) -> f64 {
+        self.jaw_moment * self.setup.grasp.as_ref().map_or(1.0, Grasp::felt)
+    }
+
     /// Force of a jaw while the spindle turns at `speed` (rad/s), from its `force` at standstill (N):
     /// F = max(0, F₀ − m·r·ω²), and F₀ + m·r·ω² of jaws that hold the ring from inside.
     pub fn force_at(&self, force: f64, speed: f64) -> f64 {
-        (force - self.setup.grip.inwards() * self.jaw_moment * speed * speed).max(0.0)
+        (force - self.setup.grip.inwards() * self.thrown_moment() * speed * speed).max(0.0)
     }
 
     /// Forces of the first, third … jaw and of the others at standstill, N.
@@ -149,6 +155,6 @@ impl Machine {
     pub fn let_go(&self) -> f64 {
         let can = self.jaw_moment > 0.0 && self.setup.grip == Grip::Outside;
         let [one, other] = self.standing_forces();
-        if can { (one.min(other) / self.jaw_moment).sqrt() } else { f64::INFINITY }
+        if can { (one.min(other) / self.thrown_moment()).sqrt() } else { f64::INFINITY }
     }
 }

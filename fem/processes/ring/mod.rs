@@ -6,6 +6,7 @@
 
 mod advice;
 mod allowed;
+mod chuck;
 pub(crate) mod circle;
 mod drawn;
 mod effects;
@@ -15,6 +16,7 @@ mod grip;
 mod instrument;
 pub(crate) mod jaws;
 mod machine;
+mod membrane;
 mod report;
 mod response;
 pub(crate) mod rows;
@@ -24,6 +26,7 @@ pub use drawn::Drawn;
 pub use grip::Grip;
 pub use instrument::{Gauge, Instrument};
 pub use machine::{BorePoint, Machine};
+pub use membrane::{Grasp, Membrane, Push};
 pub use response::MeshSize;
 pub use setup::{Body, Lobe, Reference, Setup};
 

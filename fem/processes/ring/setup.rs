@@ -3,17 +3,19 @@
 use std::sync::Arc;
 
 use super::allowed::ALLOWED;
+use super::chuck::Chuck;
 use super::circle::evenly;
 use super::drawn::{Drawn, Held};
 use super::grip::Grip;
 use super::instrument::Instrument;
+use super::membrane::{Grasp, Membrane};
 use super::response::{MeshSize, Proportions, Response};
 use crate::input::{Cache, Reader};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::process::Allowed;
-use crate::process::estimates::{CLAMPING_FORCE, CUTTING_FORCE};
-use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, NUMBER, SPINDLE_SPEED};
+use crate::process::estimates::CUTTING_FORCE;
+use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, SPINDLE_SPEED};
 
 /// Most elements: more than any ring needs, some seconds and 800 MB.
 const MOST_ELEMENTS: usize = 120_000;
@@ -70,6 +72,8 @@ pub struct Setup {
     pub arc: f64,
     /// Force of each jaw at standstill, N.
     pub jaw_force: f64,
+    /// How a membrane makes it, if one does.
+    pub grasp: Option<Grasp>,
     /// Friction between jaws and ring.
     pub friction: Option<f64>,
     /// By how much the friction of the jaws is to hold more than the cut asks for.
@@ -94,9 +98,6 @@ pub struct Setup {
     pub points: usize,
 }
 
-/// Times that jaws hold what the cut asks for, unless the model says otherwise.
-const MARGIN: f64 = 2.0;
-
 impl Reference {
     /// The words of the model file, the default first.
     pub const WORDS: &[(&'static str, Self)] =
@@ -118,27 +119,9 @@ impl Setup {
             });
             (material, radii, width, blank)
         });
-        let (grip, jaws, jaw_force, friction, margin) =
-            model.table("chuck", "the chuck that holds the ring by its outside, or by its bore", |t| {
-                let about = "by which side the jaws hold the ring; the other one is cut";
-                let grip = t.choice("grip", about, Grip::WORDS).or_first(Grip::Outside);
-                if grip == Grip::Inside && is_drawn && !t.is_described() {
-                    let help = "leave `file` out of [mesh], or hold it by its outside";
-                    t.problem("grip", "a ring whose mesh was drawn is held by its outside", help);
-                }
-                let jaws =
-                    t.count("jaws", "how many jaws, evenly spaced, the first at 0 deg").between(2, 100).required();
-                let force = t.quantity("jaw_force", FORCE, "radial force of each jaw").estimated(CLAMPING_FORCE);
-                let friction =
-                    t.quantity("friction", NUMBER, "between jaws and ring; with it the least force that holds is told");
-                let margin = t.quantity(
-                    "margin",
-                    NUMBER,
-                    "by how many times the friction of the jaws holds what the cut asks for",
-                );
-                let (friction, margin) = (friction.positive().optional(), margin.positive().or(MARGIN));
-                (grip, jaws, force.not_negative().required(), friction, margin)
-            });
+        let about = "the chuck that holds the ring by its outside, or by its bore";
+        let Chuck { grip, jaws, jaw_force, membrane, friction, margin } =
+            model.table("chuck", about, |t| Chuck::read(t, is_drawn));
         let cut = model.optional_table("cut", "how the ring is cut", |t| {
             let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed while it is cut").not_negative();
             let force = t.quantity("force_per_depth", FORCE_PER_DEPTH, "radial force of the cut per depth of cut");
@@ -159,7 +142,7 @@ impl Setup {
             Body::Cells(_) => (radii.map(Option::unwrap_or_default), evenly(jaws), 0.0),
             Body::Drawn(drawn) => ([drawn.outer_radius, drawn.inner_radius], drawn.jaws.clone(), drawn.arc),
         };
-        Self {
+        let setup = Self {
             material,
             outer_radius,
             inner_radius,
@@ -169,6 +152,7 @@ impl Setup {
             jaw_angles,
             arc,
             jaw_force,
+            grasp: None,
             friction,
             margin,
             cutting_force,
@@ -180,7 +164,27 @@ impl Setup {
             instrument,
             allowed,
             points,
+        };
+        match membrane {
+            Some(membrane) => setup.grasped(membrane, model),
+            None => setup,
         }
+    }
+
+    /// The ring in a membrane chuck.
+    fn grasped(mut self, membrane: Membrane, model: &Reader) -> Self {
+        self.arc = membrane.pad / self.held_radius();
+        // Whoever sees no pads sees no force; how wide they may be is told with the jaws.
+        let Body::Cells(mesh) = self.body else { return self };
+        let ratio = self.inner_radius / self.outer_radius;
+        let ring = Proportions { ratio, poisson_ratio: self.material.poisson_ratio, mesh, step: self.jaw_angles.len() };
+        let known = model.kept::<Cache<(Proportions, Grip, f64), f64, 16>>();
+        let unit = known.get_or((ring, self.grip, self.arc), |(ring, grip, arc)| Response::yielding(ring, *grip, *arc));
+        let ring = unit.map_or(f64::NAN, |unit| *unit / (self.material.youngs_modulus * self.width));
+        let grasp = Grasp::new(membrane, ring);
+        self.jaw_force = grasp.force();
+        self.grasp = Some(grasp);
+        self
     }
 
     /// Radius of the surface that is cut, m.

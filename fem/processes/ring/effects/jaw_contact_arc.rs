@@ -21,6 +21,10 @@ pub static JAW_CONTACT_ARC: Effect<1> = Effect {
     look_alikes: &[("centrifugal-unloading", "a second spindle speed, or the ring clamped and standing still")],
     needs: |setup| match setup.arc {
         0.0 => Ok(()),
+        arc if setup.grasp.is_some() => Err(format!(
+            "says over which arc the jaws press, and so does `pad` in [chuck.membrane], over {:.2}: leave the effect out",
+            ANGLE.shown(arc)
+        )),
         arc => Err(format!(
             "says over which arc the jaws press, and so does the mesh, over {:.2}: draw the jaws as points",
             ANGLE.shown(arc)

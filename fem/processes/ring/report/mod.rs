@@ -1,5 +1,6 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
+mod membrane;
 mod shapes;
 mod sketch;
 
@@ -46,6 +47,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         force(machine),
         stress(setup, &scene),
     ]);
+    figures.extend(setup.grasp.iter().map(membrane::figure));
     let mut shown = vec![RUN, ANGLE_OF_ROW, JAW_FORCE];
     shown.extend(setup.spindle_speed.map(|_| SPEED));
     shown.extend((!setup.blank.is_empty()).then_some(BLANK));
@@ -250,7 +252,8 @@ fn warnings(machine: &Machine) -> Vec<String> {
             "elements of order 1 are some {percent:.0} % too stiff in bending here: take order = 2, or shorter ones"
         )
     });
-    let_go(machine).into_iter().chain(super::advice::slips(machine)).chain(stiffened).collect()
+    let of_membrane = machine.setup.grasp.iter().flat_map(membrane::warnings);
+    let_go(machine).into_iter().chain(super::advice::slips(machine)).chain(stiffened).chain(of_membrane).collect()
 }
 
 /// Which jaws press with what, where they differ.
