@@ -74,6 +74,8 @@ struct Wave {
 
 /// Harmonics of a root are counted up to this many radians across it.
 const ACROSS: f64 = 1500.0;
+/// And so many of them at most: a narrower root is as good as a point.
+const MOST: usize = 20_000;
 
 impl Diaphragm {
     /// D = E·h³/12(1 − ν²), N·m.
@@ -92,7 +94,7 @@ impl Diaphragm {
         let local = TAU / (count as f64 * root);
         let beside = |wave: &Wave| 0.5 * (wave.moments[0] + wave.moments[1]);
         let (mut at_root, mut at_edge) = (beside(&even), even.moments[2]);
-        for m in (1..).map(|k| k * count).take_while(|m| (*m as f64) * root < ACROSS) {
+        for m in (1..MOST).map(|k| k * count).take_while(|m| (*m as f64) * root < ACROSS) {
             let wave = self.wave(circle, m);
             let half = 0.5 * m as f64 * root;
             let spread = half.sin() / half;

@@ -1,11 +1,11 @@
 //! Deviation of the cut surface in every row: what the jaws squeeze, and what the cut adds.
 
+use super::body::Body;
 use super::circle::evenly;
 use super::jaws::Group;
 use super::machine::{BorePoint, Machine};
 use super::response::{Proportions, Response};
 use super::rows::{self, ANGLE_OF_ROW, CLAMPED, JAW_FORCE, ORIENTATION, SPEED, STATE};
-use super::setup::Body;
 use crate::process::{Failure, Forward, Rows};
 
 /// Radial displacement of the cut surface per newton of mean force of some jaws at an angle (rad), m/N, positive outwards.

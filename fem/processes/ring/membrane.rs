@@ -90,8 +90,9 @@ impl Membrane {
                 * t.quantity("diameter", LENGTH, "diameter of the circle on which it pushes").positive().required(),
         });
         let centre = centre.or(0.5 * out);
-        let whole = TAU / jaws.max(1) as f64;
-        let arms = Arms { circle, count: jaws, root: root.map_or(whole, |root| (root / circle).min(whole)) };
+        let count = jaws.max(2);
+        let whole = TAU / count as f64;
+        let arms = Arms { circle, count, root: root.map_or(whole, |root| (root / circle).min(whole)) };
         let plate = Diaphragm {
             radius,
             thickness,
@@ -114,7 +115,7 @@ impl Membrane {
                 "the circle of the jaws lies within the clamped edge",
             );
         }
-        let room = TAU * arms.circle / arms.count.max(1) as f64;
+        let room = TAU * arms.circle / arms.count as f64;
         if root.is_some_and(|root| root > room * (1.0 + 1e-9)) {
             let help = format!("at most {}; left out, roots reach all around", LENGTH.format(room));
             t.problem("root", format!("{} jaws of that width overlap on {circle}", arms.count), help);

@@ -6,6 +6,7 @@ mod sketch;
 
 use std::f64::consts::TAU;
 
+use super::body::Body;
 use super::circle;
 use super::forward::{self, absolute};
 use super::gauged;
@@ -13,7 +14,7 @@ use super::grip::Grip;
 use super::machine::Machine;
 use super::response::MeshSize;
 use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVABLES, RUN, SPEED, STATE, released};
-use super::setup::{Body, Reference, Setup};
+use super::setup::{Reference, Setup};
 use crate::process::{Curve, Datum, Drawing, Failure, Figure, Forward, Plot, RunReport, Spot, Table, extremes, spread};
 use crate::roundness::Contacts;
 use crate::units::{ANGLE, FORCE, LENGTH, MICRO, SPINDLE_SPEED, STRESS};

@@ -3,13 +3,14 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use super::super::body::Body;
 use super::super::forward;
 use super::super::grip::Grip;
 use super::super::jaws::Jaw;
 use super::super::machine::Machine;
 use super::super::response::unsolvable;
 use super::super::rows;
-use super::super::setup::{Body, Setup};
+use super::super::setup::Setup;
 use crate::element::plane::{Elasticity, PlaneState, STRAINS};
 use crate::mesh::{BORE, Mesh, OUTSIDE};
 use crate::process::{Animation, Arrow, Body as Drawn, Cell, Failure, Field, Forward, Frame, Grid, Role, Skin, View};
