@@ -22,7 +22,9 @@ pub fn models(process: &dyn Process) -> Result<Vec<Model>, fem::input::InputErro
             start.replace(SEGMENT, STEPPED),
             format!("{start}\n[edge]\nclearance_angle = \"8 deg\"\nwear_land = \"0.1 mm\"\n"),
         ],
-        "ring" => vec![start.replace("\"least-squares-circle\"", "\"absolute\"")],
+        "ring" => {
+            vec![start.replace("\"least-squares-circle\"", "\"absolute\""), start.replace("jaws = 3 ", "jaws = 4 ")]
+        }
         "contour" => vec![equipped(start)],
         "fixture" => vec![
             start.replace("# depth = \"1 mm\"", "depth = \"20 um\""),

@@ -24,6 +24,14 @@ pub const CLAMPING_FORCE: Doubt = Doubt::by_factor(
     "friction in threads and wedges makes clamping forces scatter by 30 % about what torque or pressure says",
 );
 
+/// By how much a part is larger than what is sprung open for it.
+pub const INTERFERENCE: Doubt = Doubt::by_factor(
+    0.15,
+    1.5,
+    Grows::Linearly,
+    "an interference is the small difference of two diameters, of which pads wear and parts vary within their tolerance",
+);
+
 /// Preload of a nut.
 pub const PRELOAD: Doubt =
     Doubt::by_factor(0.15, 2.0, Grows::Otherwise, "a preload is set when a nut is assembled, and wears off");

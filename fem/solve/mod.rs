@@ -1,10 +1,11 @@
 //! Solvers: the shaft under a travelling force, the joints that hold it, the plain sparse solve that checks
 //! both, plane structures of beams and springs, a part laid on supports, heat in a rod from a tool that travels (`heat`) and from sources that
-//! are switched (`rod`); plane bodies: the sparse system, displacement, rings in jaws, temperature.
+//! are switched (`rod`); a clamped circular plate (`diaphragm`); plane bodies: the sparse system, displacement, rings in jaws, temperature.
 
 mod bar;
 mod cholesky;
 pub mod conduction;
+pub mod diaphragm;
 pub mod elastic;
 mod equilibrium;
 mod foundation;

@@ -75,6 +75,7 @@ kinds! {
     HEAT_CAPACITY = "a heat capacity" in "J/K", as "10";
     VOLUME = "a volume" in "cm^3", as "400";
     FACTOR = "a factor" in "", as "1";
+    PERCENT = "a percentage" in "%", as "10";
     MOMENT = "a moment" in "N*m", as "50";
     SMALL_ANGLE = "a small angle" in "arcsec", as "5";
     ANGLE_SLOPE = "an angle per angle" in "arcsec/deg", as "0.5";

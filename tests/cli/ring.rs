@@ -96,6 +96,12 @@ const CASES: &[Mistake] = &[
     ),
     ("lobes = 2", "lobes = 1", "`lobes` is 1", "whole number from 2"),
     ("spindle_speed = \"400 rpm\"", "", "`centrifugal-unloading` needs the spindle speed", "remove the effect"),
+    (
+        "effects.jaw-position]\nerror_2 = \"0.6 deg\"\nerror_3 = \"-0.4 deg\"",
+        "effects.jaw-imbalance]\ndifference = \"9 %\"",
+        "`jaw-imbalance` is of four jaws or more",
+        "remove the effect",
+    ),
     ("force_per_depth = \"1 kN/mm\"", "", "`copying` needs the force of the cut", "remove the effect"),
     ("[effects.copying]\nstiffness", "[effects.cutting-heat]\ntemperature_rise", "`temperature_rise`", "K"),
     ("arc = \"24 +- 4 deg\"", "arc = \"24 +- 4 mm\"", "not an angle", "write it in deg"),
@@ -161,6 +167,60 @@ fn a_ring_is_held_by_its_bore() {
     assert_eq!((answer.status, answer.err.as_str()), (0, ""));
     insta::assert_snapshot!(answer.out);
     assert_eq!(place.fem(&["compare", "arbor.toml", "--with", "out/arbor/profile.csv"]).status, 0);
+}
+
+/// Four independent jaws, one pair tightened harder: the bore is an oval, and the weaker pair lets go first.
+#[test]
+fn pairs_of_independent_jaws_differ() {
+    let place = Place::new();
+    let (position, imbalance) =
+        ("jaw-position]\nerror_2 = \"0.6 deg\"\nerror_3 = \"-0.4 deg\"", "jaw-imbalance]\ndifference = \"20 %\"");
+    let text = model("ring.toml").replace("jaws = 3", "jaws = 4").replace("three-jaw", "four-jaw");
+    let text = text.replace(position, imbalance);
+    place.write("four.toml", &text);
+    let answer = place.fem(&["run", "four.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+    place.write("four.toml", text.replace("\"400 rpm\"", "\"2100 rpm\""));
+    let answer = place.fem(&["run", "four.toml"]);
+    assert!(answer.err.contains("at 2100 rpm the weaker jaws no longer press: above 2026 rpm"), "{}", answer.err);
+    place.write("four.toml", text.replace("\"20 %\"", "\"220 %\""));
+    assert!(place.fem(&["run", "four.toml"]).err.contains("`difference` is"));
+}
+
+/// (in the model, replaced by, part of the message, part of the remedy)
+const OF_MEMBRANES: &[Mistake] = &[
+    (
+        "jaws = 6",
+        "jaws = 6\njaw_force = \"1 kN\"",
+        "follows from [chuck.membrane], and stands here too",
+        "leave `jaw_force` out",
+    ),
+    ("jaw_circle = \"140 mm\"", "jaw_circle = \"260 mm\"", "the jaws stand on 260 mm", "within the clamped edge"),
+    ("root = \"50 mm\"", "root = \"80 mm\"", "6 jaws of that width overlap", "at most 73.3"),
+    ("diameter = \"40 mm\"", "diameter = \"150 mm\"", "the push acts where the jaws stand", "within the circle"),
+    ("interference = \"100 +- 10 um\" ", "", "`interference` is missing", "add interference"),
+    (
+        "[effects.centrifugal",
+        "[effects.jaw-contact-arc]\narc = \"10 deg\"\n[effects.centrifugal",
+        "so does `pad` in [chuck.membrane]",
+        "remove the effect",
+    ),
+];
+
+/// Jaws on a plate that springs back press with what the interference asks of plate and ring.
+#[test]
+fn a_membrane_holds_a_ring() {
+    let place = Place::new();
+    let good = model("membrane.toml");
+    place.refuses(("run", "membrane.toml"), &good, OF_MEMBRANES);
+    place.write("membrane.toml", &good);
+    let answer = place.fem(&["run", "membrane.toml"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+    place.write("membrane.toml", good.replace("\"15 kN\"", "\"5 kN\""));
+    let answer = place.fem(&["run", "membrane.toml"]);
+    assert!(answer.err.contains("it does not go in"), "{}", answer.err);
 }
 
 #[test]

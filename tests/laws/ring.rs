@@ -75,6 +75,20 @@ proptest! {
         }
     }
 
+    /// Every other jaw of a chuck presses as a chuck of half as many jaws.
+    #[test]
+    fn jaws_that_differ_in_turn_are_two_chucks(ring in ring(), half in 2usize..4, percent in -150.0..150.0) {
+        let half = Ring { jaws: half, ..ring };
+        let chuck = Ring { jaws: 2 * half.jaws, ..half.clone() };
+        let text = format!("{}[effects.jaw-imbalance]\ndifference = \"{percent} %\"\n", chuck.text());
+        let forces = vec![3000.0; 24];
+        let own = observed(&model(&text), "deviation", &[("angle", &angles()), ("jaw_force", &forces)]);
+        let turned: Vec<f64> = angles().iter().map(|angle| angle - TAU / chuck.jaws as f64).collect();
+        let [strong, weak] = [0.5, -0.5].map(|side| 3000.0 * (1.0 + side * percent / 100.0));
+        let two = sum(&half.deviations(&angles(), strong, 0.0), &half.deviations(&turned, weak, 0.0));
+        alike(&own, &two, ROUND_OFF)?;
+    }
+
     /// Rings of one shape under one strain are of one shape: lengths by s, the modulus by e, forces by s²·e,
     /// deviations by s.
     #[test]

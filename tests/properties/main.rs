@@ -30,7 +30,11 @@ fn models(process: &dyn Process) -> Vec<Model> {
             start.replace(SEGMENT, STEPPED),
             format!("{start}\n[edge]\nclearance_angle = \"8 deg\"\nwear_land = \"0.1 mm\"\n"),
         ],
-        "ring" => vec![start.to_string(), start.replace("\"least-squares-circle\"", "\"absolute\"")],
+        "ring" => vec![
+            start.to_string(),
+            start.replace("\"least-squares-circle\"", "\"absolute\""),
+            start.replace("jaws = 3 ", "jaws = 4 "),
+        ],
         "contour" => vec![start.to_string(), equipped(start)],
         "fixture" => {
             vec![start.to_string(), start.replace("# depth = \"1 mm\"", "diameter = \"80 mm\"\ndepth = \"20 um\"")]

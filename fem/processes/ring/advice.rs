@@ -4,6 +4,7 @@
 //! 3106:2004, of a chuck that holds by its jaws alone; forces of feed and thrust are held by stops).
 
 use super::machine::Machine;
+use super::membrane::Grasp;
 use super::setup::Setup;
 use crate::process::Advice;
 use crate::units::{FORCE, MICRO};
@@ -15,7 +16,7 @@ pub fn least_force(machine: &Machine) -> Option<f64> {
     let Setup { cutting_force, friction, margin, grip, .. } = &**setup;
     let jaws = machine.jaw_angles.len() as f64;
     let while_cut = margin * (*cutting_force)? * setup.cut_radius() / (jaws * (*friction)? * setup.held_radius());
-    let (speed, moment) = (setup.speed(), machine.jaw_moment);
+    let (speed, moment) = (setup.speed(), machine.thrown_moment());
     Some((while_cut + grip.inwards() * moment * speed * speed).max(0.0))
 }
 
@@ -33,9 +34,10 @@ pub fn slips(machine: &Machine) -> Option<String> {
 /// What the jaws should press with, given the deviation of the cut surface, m.
 pub fn advice(machine: &Machine, deviation: &[f64]) -> Vec<Advice> {
     let Some(least) = least_force(machine) else { return Vec::new() };
-    let (force, margin) = (machine.setup.jaw_force, machine.setup.margin);
+    let setup = &machine.setup;
+    let (force, margin) = (setup.jaw_force, setup.margin);
     if let Some(text) = slips(machine) {
-        return vec![Advice::new(text).setting("chuck.jaw_force", force, least)];
+        return vec![set(setup, Advice::new(text), force, least)];
     }
     let [asked, now] = [least.ceil(), force].map(|force| FORCE.shown(force));
     let speed = machine.setup.speed();
@@ -47,5 +49,16 @@ pub fn advice(machine: &Machine, deviation: &[f64]) -> Vec<Advice> {
          proportion, by up to {:.1}",
         MICRO.shown(gain)
     );
-    vec![Advice::new(text).setting("chuck.jaw_force", force, least).gaining(gain)]
+    vec![set(setup, Advice::new(text), force, least).gaining(gain)]
+}
+
+/// What is to be set for `least` in the place of `force` at each jaw, N: the force, or in proportion what a membrane is sprung by.
+fn set(setup: &Setup, advice: Advice, force: f64, least: f64) -> Advice {
+    match &setup.grasp {
+        Some(Grasp { membrane, .. }) => {
+            let sprung = membrane.interference;
+            advice.setting("chuck.membrane.interference", sprung, sprung * least / force)
+        }
+        None => advice.setting("chuck.jaw_force", force, least),
+    }
 }

@@ -1,4 +1,7 @@
 //! Jaws around a ring: where they stand, over which arc they press, and what part of the force is on each.
+//!
+//! Jaws that press alike at standstill form a group, which is in equilibrium by itself: what the turning chuck takes from each jaw
+//! is the same force, and not the same part of it.
 
 use std::f64::consts::TAU;
 
@@ -24,11 +27,21 @@ impl Jaw {
     }
 }
 
-/// Jaws at some angles that press over `arc` each (rad), their forces in equilibrium.
+/// Jaws that lighten alike while the chuck turns, their forces in equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// The jaws, their shares those of the mean force of the group.
+    pub jaws: Vec<Jaw>,
+    /// Mean force of the group at standstill over that of the chuck.
+    pub part: f64,
+}
+
+/// Jaws at some angles that press over `arc` each (rad), their forces in equilibrium. Of an even number the first, third … press
+/// with `difference` more than the others, in parts of the mean force.
 ///
 /// # Errors
 /// The jaws stand where they cannot hold a ring, or press on each other's place.
-pub fn in_equilibrium(angles: &[f64], arc: f64) -> Result<Vec<Jaw>, Failure> {
+pub fn in_equilibrium(angles: &[f64], arc: f64, difference: f64) -> Result<Vec<Group>, Failure> {
     let room = room(angles);
     if arc > room * (1.0 + 1e-12) {
         let (arc, most) = (ANGLE.shown(arc), ANGLE.shown(room));
@@ -37,8 +50,20 @@ pub fn in_equilibrium(angles: &[f64], arc: f64) -> Result<Vec<Jaw>, Failure> {
             help: format!("the {} jaws have room for {most:.1} each where they stand", angles.len()),
         });
     }
-    let shares = shares(angles)?;
-    Ok(angles.iter().zip(shares).map(|(angle, share)| Jaw { angle: *angle, arc, share }).collect())
+    let group = |angles: &[f64], part: f64| {
+        let jaw = |(angle, share): (&f64, f64)| Jaw { angle: *angle, arc, share };
+        Ok(Group { jaws: angles.iter().zip(shares(angles)?).map(jaw).collect(), part })
+    };
+    if difference == 0.0 {
+        return Ok(vec![group(angles, 1.0)?]);
+    }
+    let every_other = |first: usize| angles.iter().skip(first).step_by(2).copied().collect::<Vec<f64>>();
+    [0, 1].into_iter().zip(parts(difference)).map(|(first, part)| group(&every_other(first), part)).collect()
+}
+
+/// Forces of the first, third … jaw and of the others over their mean, one `difference` apart.
+pub fn parts(difference: f64) -> [f64; 2] {
+    [1.0 + 0.5 * difference, 1.0 - 0.5 * difference]
 }
 
 /// The smallest angle from one jaw to the next, rad.

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use super::grip::Grip;
-use super::jaws::{self, Jaw};
+use super::jaws::{self, Group, Jaw, parts};
+use super::membrane::Grasp;
 use super::setup::Setup;
 use crate::process::{self, Command, Failure};
 
@@ -24,8 +25,8 @@ pub struct BorePoint {
 /// A radial movement or deviation that does not depend on the jaws, m.
 type Mark = Box<dyn Fn(&BorePoint) -> f64 + Send + Sync>;
 
-/// A chuck and a cut with their effects. Effects act by moving jaws, by spreading or taking away their
-/// force, by setting the chuck aside, by warming the ring, by moving the tool's nose, by letting it yield, or by what
+/// A chuck and a cut with their effects. Effects act by moving jaws, by spreading their force, sharing it
+/// out otherwise or taking it away, by setting the chuck aside, by warming the ring, by moving the tool's nose, by letting it yield, or by what
 /// is set free in the bored ring.
 pub struct Machine {
     /// The tables of the model.
@@ -34,6 +35,8 @@ pub struct Machine {
     pub jaw_angles: Vec<f64>,
     /// Full angle over which each jaw presses, rad; 0 for a line load.
     pub arc: f64,
+    /// Force of the first, third … jaw less that of the others at standstill, in parts of their mean.
+    pub difference: f64,
     /// Σ m·r of a jaw, which the spindle's turning pulls outwards, kg·m.
     pub jaw_moment: f64,
     /// Where the chuck's axis stands off the spindle's, towards jaw 1 and a quarter turn on, m.
@@ -59,6 +62,7 @@ impl Machine {
             setup,
             jaw_angles,
             arc,
+            difference: 0.0,
             jaw_moment: 0.0,
             eccentricity: [0.0; 2],
             warmth: 0.0,
@@ -94,28 +98,63 @@ impl Machine {
         nose - self.copied * (nose - found) - away + all(&self.released)
     }
 
-    /// The jaws with their forces in equilibrium.
+    /// The jaws with their forces in equilibrium, those together that press alike.
+    ///
+    /// # Errors
+    /// The jaws stand where they cannot hold a ring, or press on each other's place.
+    pub fn groups(&self) -> Result<Vec<Group>, Failure> {
+        jaws::in_equilibrium(&self.jaw_angles, self.arc, self.difference)
+    }
+
+    /// All jaws around the ring, their shares those at standstill.
     ///
     /// # Errors
     /// The jaws stand where they cannot hold a ring, or press on each other's place.
     pub fn jaws(&self) -> Result<Vec<Jaw>, Failure> {
-        jaws::in_equilibrium(&self.jaw_angles, self.arc)
+        self.pressing(|part| part)
+    }
+
+    /// All jaws around the ring, where `force_of` gives the force of jaws of a part of that at standstill; their shares are over its
+    /// unit.
+    ///
+    /// # Errors
+    /// The jaws stand where they cannot hold a ring, or press on each other's place.
+    pub fn pressing(&self, force_of: impl Fn(f64) -> f64) -> Result<Vec<Jaw>, Failure> {
+        let groups = self.groups()?;
+        let of = |group: &Group| {
+            let force = force_of(group.part);
+            group.jaws.iter().map(|jaw| Jaw { share: force * jaw.share, ..*jaw }).collect::<Vec<Jaw>>()
+        };
+        let by_group: Vec<Vec<Jaw>> = groups.iter().map(of).collect();
+        let count = self.jaw_angles.len();
+        Ok((0..count).map(|k| by_group[k % groups.len()][k / groups.len()]).collect())
+    }
+
+    /// Σ m·r of a jaw as the ring feels it, kg·m: all of it, unless the jaw stands on a membrane.
+    pub fn thrown_moment(&self) -> f64 {
+        self.jaw_moment * self.setup.grasp.as_ref().map_or(1.0, Grasp::felt)
     }
 
     /// Force of a jaw while the spindle turns at `speed` (rad/s), from its `force` at standstill (N):
     /// F = max(0, F₀ − m·r·ω²), and F₀ + m·r·ω² of jaws that hold the ring from inside.
     pub fn force_at(&self, force: f64, speed: f64) -> f64 {
-        (force - self.setup.grip.inwards() * self.jaw_moment * speed * speed).max(0.0)
+        (force - self.setup.grip.inwards() * self.thrown_moment() * speed * speed).max(0.0)
     }
 
-    /// Force of a jaw while the model's ring is cut, N.
-    pub fn cutting_force(&self) -> f64 {
-        self.force_at(self.setup.jaw_force, self.setup.speed())
+    /// Forces of the first, third … jaw and of the others at standstill, N.
+    pub fn standing_forces(&self) -> [f64; 2] {
+        parts(self.difference).map(|part| part * self.setup.jaw_force)
     }
 
-    /// Speed above which the ring is let go, rad/s; infinite where the jaws do not lighten.
+    /// The same while the model's ring is cut, N.
+    pub fn cutting_forces(&self) -> [f64; 2] {
+        self.standing_forces().map(|force| self.force_at(force, self.setup.speed()))
+    }
+
+    /// Speed above which a jaw lets the ring go, rad/s; infinite where the jaws do not lighten.
     pub fn let_go(&self) -> f64 {
         let can = self.jaw_moment > 0.0 && self.setup.grip == Grip::Outside;
-        if can { (self.setup.jaw_force / self.jaw_moment).sqrt() } else { f64::INFINITY }
+        let [one, other] = self.standing_forces();
+        if can { (one.min(other) / self.thrown_moment()).sqrt() } else { f64::INFINITY }
     }
 }

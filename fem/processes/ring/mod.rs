@@ -6,6 +6,8 @@
 
 mod advice;
 mod allowed;
+mod body;
+mod chuck;
 pub(crate) mod circle;
 mod drawn;
 mod effects;
@@ -15,17 +17,20 @@ mod grip;
 mod instrument;
 pub(crate) mod jaws;
 mod machine;
+mod membrane;
 mod report;
 mod response;
 pub(crate) mod rows;
 mod setup;
 
+pub use body::Body;
 pub use drawn::Drawn;
 pub use grip::Grip;
 pub use instrument::{Gauge, Instrument};
 pub use machine::{BorePoint, Machine};
+pub use membrane::{Grasp, Membrane, Push};
 pub use response::MeshSize;
-pub use setup::{Body, Lobe, Reference, Setup};
+pub use setup::{Lobe, Reference, Setup};
 
 use std::sync::Arc;
 

@@ -16,11 +16,12 @@
 use std::f64::consts::TAU;
 use std::fmt::Display;
 
+use super::grip::Grip;
 use super::jaws::Jaw;
 use crate::element::plane::{Elasticity, PlaneElement, PlaneState, Quad4, Quad8};
 use crate::mesh::{Grading, Mesh, RingMesh};
 use crate::process::Failure;
-use crate::solve::ring::WaveRing;
+use crate::solve::ring::{Cell, WaveRing};
 
 /// The bore no longer feels a harmonic below this part of the largest.
 const SHIELDED: f64 = 1e-10;
@@ -90,22 +91,33 @@ impl MeshSize {
     }
 }
 
+/// A wall that is too thin for sums of doubles.
+fn stiffless() -> Failure {
+    unsolvable("rounding leaves so thin a wall no stiffness")
+}
+
+impl Proportions {
+    /// One cell of the ring with Ro = E = b = 1.
+    fn cell(&self) -> Result<Cell, Failure> {
+        let MeshSize { circumferential, radial, .. } = self.mesh;
+        let law = Elasticity::new(PlaneState::Stress, 1.0, self.poisson_ratio, 0.0, 1.0).map_err(unsolvable)?;
+        let (inner_radius, element) = (self.ratio, self.mesh.element());
+        Ok(WaveRing { outer_radius: 1.0, inner_radius, circumferential, radial, element, law }.cell())
+    }
+}
+
 impl Response {
     /// The response of a ring.
     ///
     /// # Errors
     /// Its equations cannot be solved.
     pub fn solve(ring: &Proportions) -> Result<Self, Failure> {
-        let MeshSize { circumferential, radial, .. } = ring.mesh;
-        let law = Elasticity::new(PlaneState::Stress, 1.0, ring.poisson_ratio, 0.0, 1.0).map_err(unsolvable)?;
-        let (inner_radius, element) = (ring.ratio, ring.mesh.element());
-        let cell = WaveRing { outer_radius: 1.0, inner_radius, circumferential, radial, element, law }.cell();
-        let lost = || unsolvable("rounding leaves so thin a wall no stiffness");
+        let cell = ring.cell()?;
         let mut compliances: Vec<f64> = Vec::new();
         let mut largest = 0.0f64;
         // A wave over two cells is the shortest that the mesh can show.
-        for m in (0..circumferential.div_ceil(2)).step_by(ring.step) {
-            let compliance = cell.compliance(m).ok_or_else(lost)?;
+        for m in (0..ring.mesh.circumferential.div_ceil(2)).step_by(ring.step) {
+            let compliance = cell.compliance(m).ok_or_else(stiffless)?;
             compliances.push(compliance);
             largest = largest.max(compliance.abs());
             if m > 1 && compliance.abs() <= SHIELDED * largest {
@@ -113,6 +125,22 @@ impl Response {
             }
         }
         Ok(Self { step: ring.step, compliances })
+    }
+
+    /// How far the surface that evenly spaced jaws press on gives way at each of them, its mean over the arc of a jaw, per newton of
+    /// jaw force with E = b = 1; the ring's step is their number.
+    ///
+    /// # Errors
+    /// Its equations cannot be solved.
+    pub fn yielding(ring: &Proportions, grip: Grip, arc: f64) -> Result<f64, Failure> {
+        let cell = ring.cell()?;
+        let mut sum = 0.0;
+        for m in (0..ring.mesh.circumferential.div_ceil(2)).step_by(ring.step) {
+            let own = cell.own_compliance(m, grip == Grip::Outside).ok_or_else(stiffless)?;
+            let spread = sinc(0.5 * m as f64 * arc);
+            sum += if m == 0 { 1.0 } else { 2.0 } * own * spread * spread;
+        }
+        Ok(ring.step as f64 / TAU * sum)
     }
 
     /// The bore under `jaws`.

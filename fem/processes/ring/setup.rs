@@ -3,31 +3,18 @@
 use std::sync::Arc;
 
 use super::allowed::ALLOWED;
+use super::body::{self, Body};
+use super::chuck::Chuck;
 use super::circle::evenly;
-use super::drawn::{Drawn, Held};
 use super::grip::Grip;
 use super::instrument::Instrument;
-use super::response::{MeshSize, Proportions, Response};
+use super::membrane::{Grasp, Membrane};
+use super::response::{Proportions, Response};
 use crate::input::{Cache, Reader};
 use crate::material::Material;
-use crate::mesh::Mesh;
 use crate::process::Allowed;
-use crate::process::estimates::{CLAMPING_FORCE, CUTTING_FORCE};
-use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, NUMBER, SPINDLE_SPEED};
-
-/// Most elements: more than any ring needs, some seconds and 800 MB.
-const MOST_ELEMENTS: usize = 120_000;
-/// Elements from jaw to jaw, at least.
-const LEAST_PER_JAW: usize = 8;
-
-/// The ring as plane elements.
-#[derive(Clone, Debug)]
-pub enum Body {
-    /// Equal cells between two circles.
-    Cells(MeshSize),
-    /// A mesh from a file.
-    Drawn(Arc<Drawn>),
-}
+use crate::process::estimates::CUTTING_FORCE;
+use crate::units::{ANGLE, FORCE, FORCE_PER_DEPTH, LENGTH, MICRO, SPINDLE_SPEED};
 
 /// The circle that deviations are measured from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +57,8 @@ pub struct Setup {
     pub arc: f64,
     /// Force of each jaw at standstill, N.
     pub jaw_force: f64,
+    /// How a membrane makes it, if one does.
+    pub grasp: Option<Grasp>,
     /// Friction between jaws and ring.
     pub friction: Option<f64>,
     /// By how much the friction of the jaws is to hold more than the cut asks for.
@@ -94,9 +83,6 @@ pub struct Setup {
     pub points: usize,
 }
 
-/// Times that jaws hold what the cut asks for, unless the model says otherwise.
-const MARGIN: f64 = 2.0;
-
 impl Reference {
     /// The words of the model file, the default first.
     pub const WORDS: &[(&'static str, Self)] =
@@ -118,27 +104,9 @@ impl Setup {
             });
             (material, radii, width, blank)
         });
-        let (grip, jaws, jaw_force, friction, margin) =
-            model.table("chuck", "the chuck that holds the ring by its outside, or by its bore", |t| {
-                let about = "by which side the jaws hold the ring; the other one is cut";
-                let grip = t.choice("grip", about, Grip::WORDS).or_first(Grip::Outside);
-                if grip == Grip::Inside && is_drawn && !t.is_described() {
-                    let help = "leave `file` out of [mesh], or hold it by its outside";
-                    t.problem("grip", "a ring whose mesh was drawn is held by its outside", help);
-                }
-                let jaws =
-                    t.count("jaws", "how many jaws, evenly spaced, the first at 0 deg").between(2, 100).required();
-                let force = t.quantity("jaw_force", FORCE, "radial force of each jaw").estimated(CLAMPING_FORCE);
-                let friction =
-                    t.quantity("friction", NUMBER, "between jaws and ring; with it the least force that holds is told");
-                let margin = t.quantity(
-                    "margin",
-                    NUMBER,
-                    "by how many times the friction of the jaws holds what the cut asks for",
-                );
-                let (friction, margin) = (friction.positive().optional(), margin.positive().or(MARGIN));
-                (grip, jaws, force.not_negative().required(), friction, margin)
-            });
+        let about = "the chuck that holds the ring by its outside, or by its bore";
+        let Chuck { grip, jaws, jaw_force, membrane, friction, margin } =
+            model.table("chuck", about, |t| Chuck::read(t, is_drawn));
         let cut = model.optional_table("cut", "how the ring is cut", |t| {
             let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed while it is cut").not_negative();
             let force = t.quantity("force_per_depth", FORCE_PER_DEPTH, "radial force of the cut per depth of cut");
@@ -150,7 +118,7 @@ impl Setup {
             )
         });
         let (spindle_speed, force_per_depth, cutting_force) = cut.unwrap_or_default();
-        let body = read_body(model, jaws, radii);
+        let body = body::read(model, jaws, radii);
         let (reference, instrument, points) = read_measurement(model, grip);
         let allowed = model
             .optional_table("tolerance", "what the drawing asks of the cut surface", |t| Allowed::read(t, &ALLOWED))
@@ -159,7 +127,7 @@ impl Setup {
             Body::Cells(_) => (radii.map(Option::unwrap_or_default), evenly(jaws), 0.0),
             Body::Drawn(drawn) => ([drawn.outer_radius, drawn.inner_radius], drawn.jaws.clone(), drawn.arc),
         };
-        Self {
+        let setup = Self {
             material,
             outer_radius,
             inner_radius,
@@ -169,6 +137,7 @@ impl Setup {
             jaw_angles,
             arc,
             jaw_force,
+            grasp: None,
             friction,
             margin,
             cutting_force,
@@ -180,7 +149,29 @@ impl Setup {
             instrument,
             allowed,
             points,
+        };
+        match membrane {
+            Some(membrane) => setup.grasped(membrane, model),
+            None => setup,
         }
+    }
+
+    /// The ring in a membrane chuck.
+    fn grasped(mut self, membrane: Membrane, model: &Reader) -> Self {
+        self.arc = membrane.pad / self.held_radius();
+        let Body::Cells(mesh) = self.body else { return self };
+        if model.is_described() || !model.is_sound() {
+            return self;
+        }
+        let ratio = self.inner_radius / self.outer_radius;
+        let ring = Proportions { ratio, poisson_ratio: self.material.poisson_ratio, mesh, step: self.jaw_angles.len() };
+        let known = model.kept::<Cache<(Proportions, Grip, f64), f64, 16>>();
+        let unit = known.get_or((ring, self.grip, self.arc), |(ring, grip, arc)| Response::yielding(ring, *grip, *arc));
+        let ring = unit.map_or(f64::NAN, |unit| *unit / (self.material.youngs_modulus * self.width));
+        let grasp = Grasp::new(membrane, ring);
+        self.jaw_force = grasp.force();
+        self.grasp = Some(grasp);
+        self
     }
 
     /// Radius of the surface that is cut, m.
@@ -241,72 +232,6 @@ fn read_radii(t: &Reader, is_drawn: bool) -> [Option<f64>; 2] {
         }
     }
     [outer, inner].map(|diameter| diameter.map(|d| 0.5 * d))
-}
-
-fn read_body(model: &Reader, jaws: usize, radii: [Option<f64>; 2]) -> Body {
-    let usual = MeshSize { circumferential: 360.max(LEAST_PER_JAW * jaws), radial: usual_radial(radii), order: 2 };
-    let read = |t: &Reader| {
-        let size = read_cells(t, jaws, usual.radial);
-        match Mesh::read(t) {
-            Some(mesh) => read_drawn(t, mesh, jaws, radii).map_or(Body::Cells(size), Body::Drawn),
-            None => Body::Cells(size),
-        }
-    };
-    model.optional_table("mesh", "the ring as plane elements", read).unwrap_or(Body::Cells(usual))
-}
-
-/// Elements across the wall: six, and more where the bore is so small that stresses change much within a
-/// sixth of the wall.
-fn usual_radial(radii: [Option<f64>; 2]) -> usize {
-    const PER_BORE_RADIUS: f64 = 3.0;
-    let [Some(outer), Some(inner)] = radii else { return 6 };
-    let cells = PER_BORE_RADIUS * (outer - inner) / inner;
-    if cells.is_finite() { (cells.ceil() as usize).clamp(6, 100) } else { 6 }
-}
-
-/// The ring of a mesh from a file, if that is one.
-fn read_drawn(t: &Reader, mesh: Arc<Mesh>, jaws: usize, radii: [Option<f64>; 2]) -> Option<Arc<Drawn>> {
-    if let Some(key) = ["circumferential", "radial", "order"].into_iter().find(|key| t.has(key)) {
-        let message = format!("`{key}` is of a mesh of equal cells, and `file` names another");
-        t.problem(key, message, "leave one of them out");
-    }
-    if mesh.element_count() > MOST_ELEMENTS {
-        t.problem("file", format!("the mesh has more than {MOST_ELEMENTS} elements"), "a coarser mesh is as good");
-        return None;
-    }
-    let known = t.kept::<Cache<Held, Drawn, 4>>();
-    let drawn = known.get_or(Held { mesh, jaws }, |held| Drawn::new(&held.mesh, jaws)).map_err(|message| {
-        let help = "a ring has its centre at the origin, the sides `bore`, and jaws `jaw-1`, `jaw-2` … on a circle";
-        t.problem("file", format!("the mesh is no ring in {jaws} jaws: {message}"), help);
-    });
-    let drawn = drawn.ok()?;
-    for (given, drawn, what) in [(radii[0], drawn.outer_radius, "outer"), (radii[1], drawn.inner_radius, "inner")] {
-        if let Some(given) = given.filter(|given| (given / drawn - 1.0).abs() > 1e-3) {
-            let (given, drawn) = (LENGTH.shown(2.0 * given), LENGTH.shown(2.0 * drawn));
-            let message = format!("the mesh has an {what} diameter of {drawn:.4}, [workpiece] one of {given:.4}");
-            t.problem("file", message, "leave the diameter out, or say in which `unit` the mesh is");
-        }
-    }
-    Some(drawn)
-}
-
-fn read_cells(t: &Reader, jaws: usize, radial: usize) -> MeshSize {
-    let size = MeshSize {
-        circumferential: t.count("circumferential", "elements around").between(16, 100_000).or(360),
-        radial: t.count("radial", "elements across the wall").between(1, 1000).or(radial),
-        order: t.count("order", "1 for 4-node, 2 for 8-node quadrilaterals").between(1, 2).or(2),
-    };
-    let elements = size.circumferential * size.radial;
-    if elements > MOST_ELEMENTS {
-        let message = format!("{} by {} elements are more than {MOST_ELEMENTS}", size.circumferential, size.radial);
-        t.problem("circumferential", message, "360 around and 6 across are good to a part in ten thousand");
-    }
-    if size.circumferential < LEAST_PER_JAW * jaws {
-        let message = format!("{} elements around are too few for {jaws} jaws", size.circumferential);
-        let least = LEAST_PER_JAW * jaws;
-        t.problem("circumferential", message, format!("take at least {least}: {LEAST_PER_JAW} from jaw to jaw"));
-    }
-    size
 }
 
 fn read_measurement(model: &Reader, grip: Grip) -> (Reference, Instrument, usize) {

@@ -131,6 +131,17 @@ impl Cell {
     /// inwards, on the outside. Zero for m = 1; `None` for waves shorter than two cells, and where rounding
     /// leaves the ring no stiffness.
     pub fn compliance(&self, m: usize) -> Option<f64> {
+        self.between(m, 2 * self.ring.radial, 0)
+    }
+
+    /// The same of the pressed surface itself, the outside or the bore, as it gives way to the load.
+    pub fn own_compliance(&self, m: usize, is_outside: bool) -> Option<f64> {
+        let half = if is_outside { 2 * self.ring.radial } else { 0 };
+        Some(-self.between(m, half, half)?)
+    }
+
+    /// Motion of the circle at `seen` half cells from the bore under a load inwards on that at `pressed`, m/N rad.
+    fn between(&self, m: usize, pressed: usize, seen: usize) -> Option<f64> {
         if m == 1 {
             return Some(0.0);
         }
@@ -138,13 +149,12 @@ impl Cell {
             return None;
         }
         let mut matrix = self.matrix(m);
-        let outer = self.edge(m, 2 * self.ring.radial);
-        let inner = self.edge(m, 0);
+        let (pressed, seen) = (self.edge(m, pressed), self.edge(m, seen));
         let mut motion = vec![0.0; 2 * self.count];
-        outer.iter().for_each(|(unknown, value)| motion[*unknown] -= value);
+        pressed.iter().for_each(|(unknown, value)| motion[*unknown] -= value);
         matrix.solve(&mut motion)?;
         let around = self.ring.circumferential as f64 / if m == 0 { TAU } else { PI };
-        Some(around * inner.iter().map(|(unknown, value)| value * motion[*unknown]).sum::<f64>())
+        Some(around * seen.iter().map(|(unknown, value)| value * motion[*unknown]).sum::<f64>())
     }
 
     /// Mean over the cells of products of two waves.

@@ -37,6 +37,7 @@ pub fn cases() -> Vec<Case> {
         cases.extend(ring_of(bore, jaws, arc));
     }
     cases.extend(out_of_place());
+    cases.extend([4, 6].into_iter().flat_map(tightened));
     cases
 }
 
@@ -106,4 +107,26 @@ fn out_of_place() -> Vec<Case> {
         cases.push(refined(name, "radial displacement", exact.radial(&pushes, angle), found));
     }
     cases
+}
+
+/// Jaws of which every other one is tightened to 3.3 kN and the rest to 2.7 kN, clamped, and turning at 400 rpm with 50 kg·mm each.
+fn tightened(jaws: usize) -> Vec<Case> {
+    let effects = "[jaw-contact-arc]\narc = \"10 deg\"\n[jaw-imbalance]\ndifference = \"20 %\"\n[centrifugal-unloading]\njaw_moment = \"50 kg*mm\"";
+    let computed = rings(&ring(84.0, jaws), effects);
+    let thrown = 0.05 * (400.0 * std::f64::consts::TAU / 60.0).powi(2);
+    let exact = series(84.0);
+    let pushes = |less: f64| -> Vec<Push> {
+        let force = |k: usize| if k.is_multiple_of(2) { 3300.0 } else { 2700.0 };
+        let angle = |k: usize| std::f64::consts::TAU * k as f64 / jaws as f64;
+        (0..jaws).map(|k| Push { angle: angle(k), arc: 10f64.to_radians(), force: force(k) - less }).collect()
+    };
+    let at = |degrees: f64| {
+        let angle = degrees.to_radians();
+        let standing = [0, 1].map(|mesh: usize| clamped(&computed[mesh], angle));
+        let turning = [0, 1].map(|mesh: usize| -deviations(&computed[mesh], &[angle], &[])[0]);
+        let name = |how: &str| format!("{jaws} jaws of 3.3 and 2.7 kN in turn, {how}, at {degrees} deg");
+        [(name("clamped"), 0.0, standing), (name("at 400 rpm"), thrown, turning)]
+            .map(|(name, less, found)| refined(name, "radial displacement", exact.radial(&pushes(less), angle), found))
+    };
+    [0.0, 180.0 / jaws as f64, 360.0 / jaws as f64, 200.0].into_iter().flat_map(at).collect()
 }

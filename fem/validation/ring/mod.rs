@@ -4,6 +4,7 @@
 mod benchmark;
 mod effects;
 mod inside;
+mod membrane;
 mod michell;
 mod rig;
 mod roundness;
@@ -13,6 +14,14 @@ use crate::validation::Case;
 
 /// All cases, simple ones first.
 pub fn cases() -> Vec<Case> {
-    [thin::cases(), michell::cases(), benchmark::cases(), effects::cases(), roundness::cases(), inside::cases()]
-        .concat()
+    [
+        thin::cases(),
+        michell::cases(),
+        benchmark::cases(),
+        effects::cases(),
+        roundness::cases(),
+        inside::cases(),
+        membrane::cases(),
+    ]
+    .concat()
 }

@@ -6,7 +6,7 @@ use super::rig::*;
 use crate::validation::{Case, Tolerance};
 
 pub fn cases() -> Vec<Case> {
-    [hoops(), lame()].concat()
+    [hoops(), pairs(), lame()].concat()
 }
 
 /// Wall and mean radius of the hoop, m.
@@ -42,6 +42,27 @@ fn hoops() -> Vec<Case> {
         cases.push(row(name, "outward midway", (outward * scale, midway, "m"), left_out(outward), source));
     }
     cases
+}
+
+/// Two pairs of 1.3 and 0.7 N: inward at the stronger one, what its own pair does less what the other does midway.
+fn pairs() -> Vec<Case> {
+    let beta = 0.5 * PI;
+    // β = π/2 in the formulas of hoops.
+    let (inward, outward) = (PI / 8.0 - 1.0 / PI, 1.0 / PI - 0.25);
+    let scale = RADIUS.powi(3) / (210e9 * 0.02 * WALL.powi(3) / 12.0);
+    let text = ring(2e3 * RADIUS - 1e3 * WALL, 4)
+        .replace("\"100 mm\"", &format!("\"{} mm\"", 2e3 * RADIUS + 1e3 * WALL))
+        .replace("3 kN", "1 N")
+        .replace("circumferential = 360, radial = 6", "circumferential = 1080, radial = 1");
+    let hoop = chuck(&text, "[jaw-imbalance]\ndifference = \"60 %\"");
+    let case = |(quantity, angle, own, other): (&'static str, f64, f64, f64)| {
+        let expected = own * inward - other * outward;
+        let left_out = 2.0 * (WALL / RADIUS).powi(2) / 12.0 / expected.abs();
+        let pair = (expected * scale, -clamped(&hoop, angle), "m");
+        let source = "thin ring under two opposite loads (Roark, circular rings, case 1), twice";
+        row("hoop of R/250 wall, pairs of 1.3 and 0.7 N", quantity, pair, Tolerance::Relative(left_out), source)
+    };
+    [("inward at the stronger pair", 0.0, 1.3, 0.7), ("inward at the weaker pair", beta, 0.7, 1.3)].map(case).to_vec()
 }
 
 /// Jaws that press all around: u_r(Ri) = −2p·Ro²·Ri/(E·(Ro² − Ri²)).

@@ -10,6 +10,9 @@ use crate::{Process, writing};
 /// none hides what another does: a tool that has broken down leaves millimetres.
 const LARGEST: f64 = 60.0;
 
+/// Effects of which no machine has both: a chuck has three jaws or an even number of them.
+const STRANGERS: &[[&str; 2]] = &[["jaw-position", "jaw-imbalance"]];
+
 /// A machine with its effects, and what it makes.
 #[derive(Debug, Clone)]
 pub struct Meeting {
@@ -61,14 +64,16 @@ impl Process {
         })
     }
 
-    /// Every pair of the catalogue, in its order.
+    /// Every pair of the catalogue that a machine may have, in its order.
     pub fn pairs(&self) -> Vec<[&'static str; 2]> {
         let names: Vec<&'static str> = self.catalogue.iter().map(|law| law.0).collect();
+        let can =
+            |pair: &[&'static str; 2]| !STRANGERS.iter().any(|own| own.iter().all(|effect| pair.contains(effect)));
         let with = |(i, first): (usize, &&'static str)| {
             let first = *first;
             names[i + 1..].iter().map(move |other| [first, *other]).collect::<Vec<_>>()
         };
-        names.iter().enumerate().flat_map(with).collect()
+        names.iter().enumerate().flat_map(with).filter(can).collect()
     }
 }
 

@@ -45,6 +45,7 @@ pub const WEIGHTS: &[(&str, f64, &str)] = &[
     // Bored rings.
     ("jaw-contact-arc", ALWAYS, "no jaw presses along a line"),
     ("jaw-position", OFTEN, "jaws that are not bored in place are off"),
+    ("jaw-imbalance", OFTEN, "independent jaws are tightened one by one"),
     ("centrifugal-unloading", OFTEN, "every jaw has mass"),
     ("residual-stress", OFTEN, "drawn and forged rings have it"),
     ("spindle-error", OFTEN, "every spindle has one"),

@@ -2,7 +2,8 @@
 //!
 //! While boring the force of each jaw is F = max(0, F₀ − m·r·ω²): F₀ at standstill (N), m·r the `jaw_moment`
 //! of a jaw about the spindle's axis (kg·m), ω the spindle speed (rad/s). Above ω = √(F₀/(m·r)) the ring is
-//! let go, and a run says at how many rpm. The clamped ring is measured at standstill. Left out: hysteresis
+//! let go, and a run says at how many rpm. The clamped ring is measured at standstill. Jaws of which one presses harder than the next
+//! lose the same force each, and those of a membrane that part of it which the ring does not spring after. Left out: hysteresis
 //! of the chuck's drive, the ring's own widening under its inertia, counterweights.
 
 use super::super::machine::Effect;

@@ -5,6 +5,7 @@ mod chuck_runout;
 mod copying;
 mod cutting_heat;
 mod jaw_contact_arc;
+mod jaw_imbalance;
 mod jaw_position;
 mod residual_stress;
 mod spindle_error;
@@ -17,6 +18,7 @@ use crate::process::CatalogueEffect;
 pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &jaw_contact_arc::JAW_CONTACT_ARC,
     &jaw_position::JAW_POSITION,
+    &jaw_imbalance::JAW_IMBALANCE,
     &centrifugal_unloading::CENTRIFUGAL_UNLOADING,
     &residual_stress::RESIDUAL_STRESS,
     &spindle_error::SPINDLE_ERROR,
@@ -45,6 +47,11 @@ mod bench {
     /// The chuck with one effect of these canonical values.
     pub fn chuck(name: &str, canonical: &[f64]) -> Assembled<Ring> {
         with_effect(MODEL, name, canonical)
+    }
+
+    /// The same in so many jaws.
+    pub fn chuck_of(jaws: usize, name: &str, canonical: &[f64]) -> Assembled<Ring> {
+        with_effect(&MODEL.replace("jaws = 3", &format!("jaws = {jaws}")), name, canonical)
     }
 
     /// Mark of an effect on a bore that no jaw squeezes, um, at an angle with the ring's mark at an orientation (deg)

@@ -23,6 +23,7 @@ pub static RESIDUAL_STRESS: Effect<2> = Effect {
     look_alikes: &[
         ("spindle-error", "the ring turned in the chuck: residual stress turns with it"),
         ("jaw-position", "a second jaw force"),
+        ("jaw-imbalance", "a second jaw force, or the ring turned in the chuck: residual stress turns with it"),
         ("copying", "another blank: a copy follows it"),
     ],
     needs: nothing,

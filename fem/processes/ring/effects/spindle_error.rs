@@ -24,6 +24,7 @@ pub static SPINDLE_ERROR: Effect<2> = Effect {
     look_alikes: &[
         ("residual-stress", "the ring turned in the chuck: the spindle's oval stays with the machine"),
         ("jaw-position", "a second jaw force"),
+        ("jaw-imbalance", "a second jaw force"),
         ("copying", "another blank: a copy follows it"),
     ],
     needs: nothing,

@@ -1,10 +1,12 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
+mod membrane;
 mod shapes;
 mod sketch;
 
 use std::f64::consts::TAU;
 
+use super::body::Body;
 use super::circle;
 use super::forward::{self, absolute};
 use super::gauged;
@@ -12,7 +14,7 @@ use super::grip::Grip;
 use super::machine::Machine;
 use super::response::MeshSize;
 use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVABLES, RUN, SPEED, STATE, released};
-use super::setup::{Body, Reference, Setup};
+use super::setup::{Reference, Setup};
 use crate::process::{Curve, Datum, Drawing, Failure, Figure, Forward, Plot, RunReport, Spot, Table, extremes, spread};
 use crate::roundness::Contacts;
 use crate::units::{ANGLE, FORCE, LENGTH, MICRO, SPINDLE_SPEED, STRESS};
@@ -46,6 +48,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         force(machine),
         stress(setup, &scene),
     ]);
+    figures.extend(setup.grasp.iter().map(membrane::figure));
     let mut shown = vec![RUN, ANGLE_OF_ROW, JAW_FORCE];
     shown.extend(setup.spindle_speed.map(|_| SPEED));
     shown.extend((!setup.blank.is_empty()).then_some(BLANK));
@@ -216,9 +219,12 @@ fn clamping(machine: &Machine, forward: &Forward) -> Result<Figure, Failure> {
 }
 
 fn force(machine: &Machine) -> Figure {
-    let (standing, boring, let_go) = (machine.setup.jaw_force, machine.cutting_force(), machine.let_go());
-    let each = format!("{:.1} each", FORCE.shown(standing));
+    let mean = |forces: [f64; 2]| 0.5 * (forces[0] + forces[1]);
+    let (standing, boring, let_go) = (machine.setup.jaw_force, mean(machine.cutting_forces()), machine.let_go());
+    let mean = if machine.difference == 0.0 { "each" } else { "on average" };
+    let each = format!("{:.1} {mean}", FORCE.shown(standing));
     let figure = Figure::new("jaw_force", "jaw force")
+        .lines((machine.difference != 0.0).then(|| shared_out(machine)))
         .quantity("standstill", FORCE, standing)
         .quantity("boring", FORCE, boring)
         .quantity("let_go", SPINDLE_SPEED, let_go);
@@ -247,15 +253,29 @@ fn warnings(machine: &Machine) -> Vec<String> {
             "elements of order 1 are some {percent:.0} % too stiff in bending here: take order = 2, or shorter ones"
         )
     });
-    let_go(machine).into_iter().chain(super::advice::slips(machine)).chain(stiffened).collect()
+    let of_membrane = machine.setup.grasp.iter().flat_map(membrane::warnings);
+    let_go(machine).into_iter().chain(super::advice::slips(machine)).chain(stiffened).chain(of_membrane).collect()
+}
+
+/// Which jaws press with what, where they differ.
+fn shared_out(machine: &Machine) -> String {
+    let listed = |first: usize| {
+        (first..=machine.jaw_angles.len()).step_by(2).map(|jaw| jaw.to_string()).collect::<Vec<_>>().join(", ")
+    };
+    let [one, other] = machine.standing_forces().map(|force| FORCE.shown(force));
+    let [later, weaker] = machine.cutting_forces().map(|force| FORCE.shown(force));
+    let turning = (machine.jaw_moment > 0.0).then(|| format!(", while it is cut with {later:.1} and {weaker:.1}"));
+    format!("jaws {} press with {one:.1} each, {} with {other:.1}{}", listed(1), listed(2), turning.unwrap_or_default())
 }
 
 /// Says that the turning chuck holds nothing, where it does not.
 pub fn let_go(machine: &Machine) -> Option<String> {
     let setup = &machine.setup;
-    (setup.jaw_force > 0.0 && machine.cutting_force() == 0.0).then(|| {
+    let lets_go = machine.standing_forces().into_iter().zip(machine.cutting_forces());
+    lets_go.into_iter().any(|(standing, cutting)| standing > 0.0 && cutting == 0.0).then(|| {
         let [speed, let_go] = [setup.speed(), machine.let_go()].map(|s| SPINDLE_SPEED.shown(s));
-        format!("at {speed:.0} the jaws no longer press: above {let_go:.0} the ring is let go")
+        let jaws = if machine.difference == 0.0 { "the jaws" } else { "the weaker jaws" };
+        format!("at {speed:.0} {jaws} no longer press: above {let_go:.0} the ring is let go")
     })
 }
 

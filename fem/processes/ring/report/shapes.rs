@@ -3,13 +3,14 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use super::super::body::Body;
 use super::super::forward;
 use super::super::grip::Grip;
 use super::super::jaws::Jaw;
 use super::super::machine::Machine;
 use super::super::response::unsolvable;
 use super::super::rows;
-use super::super::setup::{Body, Setup};
+use super::super::setup::Setup;
 use crate::element::plane::{Elasticity, PlaneState, STRAINS};
 use crate::mesh::{BORE, Mesh, OUTSIDE};
 use crate::process::{Animation, Arrow, Body as Drawn, Cell, Failure, Field, Forward, Frame, Grid, Role, Skin, View};
@@ -28,41 +29,54 @@ const JAW: f64 = 0.35;
 pub struct Scene {
     setup: Arc<Setup>,
     mesh: Arc<Mesh>,
-    jaws: Vec<Jaw>,
-    /// Displacements under the jaws at standstill, m. (nodes, 2)
-    displacements: Vec<[f64; 2]>,
-    /// (σxx, σyy, σxy) at the nodes, Pa.
-    stresses: Vec<[f64; STRAINS]>,
+    /// Under the jaws at standstill, and while the chuck turns.
+    states: [Clamped; 2],
     /// Change of the bore's radius by the cut at each node's angle, m: the deviation of the released ring.
     cut: Vec<f64>,
-    /// Force of the jaws while boring, as a part of that at standstill.
-    while_boring: f64,
     /// The surface of the ring.
     skin: Arc<Skin>,
 }
 
+/// The ring under jaws.
+struct Clamped {
+    /// Their shares are their forces, N.
+    jaws: Vec<Jaw>,
+    /// Displacements, m. (nodes, 2)
+    displacements: Vec<[f64; 2]>,
+    /// (σxx, σyy, σxy) at the nodes, Pa.
+    stresses: Vec<[f64; STRAINS]>,
+}
+
 impl Scene {
-    /// Solves the ring under the jaws at standstill, as they stand and press.
+    /// Solves the ring under the jaws as they stand and press.
     ///
     /// # Errors
     /// The ring cannot be computed.
     pub fn new(machine: &Machine, forward: &Forward) -> Result<Self, Failure> {
-        let (setup, jaws) = (machine.setup.clone(), machine.jaws()?);
+        let setup = machine.setup.clone();
         let material = &setup.material;
         let (e, nu) = (material.youngs_modulus, material.poisson_ratio);
         let law = Elasticity::new(PlaneState::Stress, e, nu, material.expansion, setup.width).map_err(unsolvable)?;
-        let (mesh, loads) = pressed(&setup, &jaws)?;
+        let mesh = match &setup.body {
+            Body::Drawn(drawn) => drawn.mesh.clone(),
+            Body::Cells(size) => Arc::new(size.mesh(setup.outer_radius, setup.inner_radius)?),
+        };
         let system = ElasticSystem::free(&*mesh, law).map_err(unsolvable)?;
-        let mut displacements = system.solve(&loads).map_err(unsolvable)?.nodes;
+        let clamped = |force_of: &dyn Fn(f64) -> f64| -> Result<Clamped, Failure> {
+            let jaws = machine.pressing(force_of)?;
+            let mut displacements = system.solve(&loads(&setup, &mesh, &jaws)?).map_err(unsolvable)?.nodes;
+            centre(&mesh, &mut displacements);
+            let stresses = nodal_stresses(&mesh, &law, &displacements, &[]);
+            Ok(Clamped { jaws, displacements, stresses })
+        };
+        let standing = clamped(&|part| part * setup.jaw_force)?;
+        let turning = clamped(&|part| machine.force_at(part * setup.jaw_force, setup.speed()))?;
         drop(system);
-        centre(&mesh, &mut displacements);
-        let stresses = nodal_stresses(&mesh, &law, &displacements, &[]);
         let angles = mesh.nodes().iter().map(|node| angle_of(*node)).collect();
         let cut = forward::absolute(machine, forward, &rows::released(&setup, angles))?;
-        let while_boring = if setup.jaw_force > 0.0 { machine.cutting_force() / setup.jaw_force } else { 0.0 };
         let grid = Grid::of(&mesh);
         let skin = Arc::new(Skin::thickened(&grid, setup.width));
-        Ok(Self { setup, mesh, jaws, displacements, stresses, cut, while_boring, skin })
+        Ok(Self { setup, mesh, states: [standing, turning], cut, skin })
     }
 
     /// Largest equivalent stress on the bore under the jaws at standstill, Pa, and where, rad. Under a line
@@ -70,7 +84,9 @@ impl Scene {
     pub fn largest_stress(&self) -> (f64, f64) {
         let cut = if self.setup.grip == Grip::Outside { BORE } else { OUTSIDE };
         let on_bore = self.mesh.nodes_on(cut).unwrap_or_default();
-        let of = |node: u32| (equivalent(self.stresses[node as usize]), angle_of(self.mesh.nodes()[node as usize]));
+        let of = |node: u32| {
+            (equivalent(self.states[0].stresses[node as usize]), angle_of(self.mesh.nodes()[node as usize]))
+        };
         on_bore.into_iter().map(of).fold((0.0, 0.0), |a, b| if b.0 > a.0 * (1.0 + 1e-9) { b } else { a })
     }
 
@@ -92,21 +108,23 @@ impl Scene {
         }
     }
 
-    /// Force of the jaws over that at standstill, and part of the cut that is done.
-    fn state(&self, time: f64) -> (f64, f64) {
+    /// What is felt of the jaws at standstill and of those of the turning chuck, and the part of the cut that is done.
+    fn state(time: f64) -> ([f64; 2], f64) {
         if time <= 1.0 {
-            (time, 0.0)
+            ([time, 0.0], 0.0)
         } else if time <= 2.0 {
             // The chuck turns, where its jaws lighten.
-            (1.0 + (self.while_boring - 1.0) * (time - 1.0), time - 1.0)
+            ([2.0 - time, time - 1.0], time - 1.0)
         } else {
-            (self.while_boring * (3.0 - time), 1.0)
+            ([0.0, 3.0 - time], 1.0)
         }
     }
 
     fn frame(&self, i: usize) -> Frame {
         let time = i as f64 / STEPS as f64;
-        let ((clamped, bored), setup) = (self.state(time), &self.setup);
+        let ((felt, bored), setup) = (Self::state(time), &self.setup);
+        let [standing, turning] = &self.states;
+        let mix = |one: f64, other: f64| felt[0] * one + felt[1] * other;
         let mut grid = Grid::of(&self.mesh);
         let mut force = vec![[0.0; 3]; self.mesh.nodes().len()];
         let (mut displacement, mut stress, mut single) = (Vec::new(), Vec::new(), Vec::new());
@@ -114,25 +132,27 @@ impl Scene {
             let r = x.hypot(y);
             let depth = ((setup.held_radius() - r) / (setup.held_radius() - setup.cut_radius())).max(0.0);
             let cut = bored * self.cut[node] * depth / r;
-            let [u, v] = self.displacements[node];
-            let [xx, yy, xy] = self.stresses[node].map(|s| clamped * s);
-            displacement.push([clamped * u + cut * x, clamped * v + cut * y, 0.0]);
+            let [u, v] = [0, 1].map(|axis| mix(standing.displacements[node][axis], turning.displacements[node][axis]));
+            let [xx, yy, xy] = [0, 1, 2].map(|k| mix(standing.stresses[node][k], turning.stresses[node][k]));
+            displacement.push([u + cut * x, v + cut * y, 0.0]);
             stress.push([xx, yy, 0.0, xy, 0.0, 0.0]);
             single.push(equivalent([xx, yy, xy]));
         }
         let mut bodies = vec![Drawn::thickened("ring", self.skin.clone())];
         let mut arrows = Vec::new();
-        for jaw in &self.jaws {
+        for (jaw, later) in standing.jaws.iter().zip(&turning.jaws) {
             let (sine, cosine) = jaw.angle.sin_cos();
-            let push = clamped * jaw.share * setup.jaw_force;
+            let push = mix(jaw.share, later.share);
             let node = grid.points.len();
             grid.push(Cell::Vertex, &[node as u32]);
             let (at, sign) = ([cosine, sine].map(|c| setup.held_radius() * c), setup.grip.inwards());
             grid.points.push([at[0], at[1], 0.0]);
             force.push([-sign * push * cosine, -sign * push * sine, 0.0]);
             // A jaw goes with the surface that it presses on.
-            let [u, v] = self.displacements[self.mesh.nearest_node(at)];
-            displacement.push([clamped * u, clamped * v, 0.0]);
+            let nearest = self.mesh.nearest_node(at);
+            let [u, v] =
+                [0, 1].map(|axis| mix(standing.displacements[nearest][axis], turning.displacements[nearest][axis]));
+            displacement.push([u, v, 0.0]);
             bodies.push(Drawn::new("jaw", Role::Machine, self.jaw(node, [sign * cosine, sign * sine])));
             arrows.push(Arrow::new(node, JAW * setup.held_radius()));
         }
@@ -191,24 +211,18 @@ impl Scene {
     }
 }
 
-/// The mesh, and on it the jaws at standstill.
-fn pressed(setup: &Setup, jaws: &[Jaw]) -> Result<(Arc<Mesh>, Loads), Failure> {
+/// Jaws on the mesh whose shares are their forces, N.
+fn loads(setup: &Setup, mesh: &Mesh, jaws: &[Jaw]) -> Result<Loads, Failure> {
+    let mut loads = Loads::none(mesh);
     match &setup.body {
-        Body::Drawn(drawn) => {
-            let mut loads = Loads::none(&drawn.mesh);
-            drawn.press(&mut loads, jaws, setup.jaw_force)?;
-            Ok((drawn.mesh.clone(), loads))
-        }
-        Body::Cells(size) => {
-            let mesh = size.mesh(setup.outer_radius, setup.inner_radius)?;
-            let force = setup.grip.inwards() * setup.jaw_force;
+        Body::Drawn(drawn) => drawn.press(&mut loads, jaws, 1.0)?,
+        Body::Cells(_) => {
             let held = if setup.grip == Grip::Outside { OUTSIDE } else { BORE };
-            let pushes: Vec<ContactArc> = jaws.iter().map(|jaw| jaw.load(force)).collect();
-            let mut loads = Loads::none(&mesh);
-            add_jaws_on(held, &mut loads, &mesh, &pushes).map_err(unsolvable)?;
-            Ok((Arc::new(mesh), loads))
+            let pushes: Vec<ContactArc> = jaws.iter().map(|jaw| jaw.load(setup.grip.inwards())).collect();
+            add_jaws_on(held, &mut loads, mesh, &pushes).map_err(unsolvable)?;
         }
     }
+    Ok(loads)
 }
 
 /// Takes the rigid motion out, by which the body happened to be held: the mean displacement and turn of the

@@ -15,8 +15,9 @@ pub fn sketch(machine: &Machine) -> Sketch {
     let on = |radius: f64, angle: f64| [radius * angle.cos(), radius * angle.sin()];
     let circle = |radius: f64| (0..CORNERS).map(|i| on(radius, TAU * i as f64 / CORNERS as f64)).collect();
     let mut parts = vec![Part::Body(vec![circle(setup.outer_radius), circle(setup.inner_radius)])];
-    let force = machine.cutting_force();
+    let forces = machine.cutting_forces();
     for (i, angle) in machine.jaw_angles.iter().enumerate() {
+        let force = forces[i % 2];
         let label = format!("jaw {}, {:.0}", i + 1, FORCE.shown(force));
         let pushed = on(-setup.grip.inwards() * force, *angle);
         parts.push(Part::Force { at: on(setup.held_radius(), *angle), force: pushed, label });

@@ -9,6 +9,7 @@ pub const LAWS: &[Law] = &[
         "jaw-position",
         &[Parameter("error_2", "deg", 0.2, 3.0, Role::Signed), Parameter("error_3", "deg", 0.2, 3.0, Role::Signed)],
     ),
+    ("jaw-imbalance", &[Parameter("difference", "%", 2.0, 40.0, Role::Signed)]),
     ("centrifugal-unloading", &[Parameter("jaw_moment", "kg*mm", 10.0, 80.0, Role::Amplitude)]),
     (
         "residual-stress",

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::elastic::compliances;
+use super::elastic::{compliances, step};
 use super::job::{Job, Row, SetUp};
 use crate::job::{Job as _, NoiseKind, Shown};
 use crate::random::{Random, decimals, figures};
@@ -37,7 +37,11 @@ fn ring(hidden: &[&str], random: &mut Random) -> Job {
     let (modulus, poisson, expansion) = random.pick(MATERIALS);
     let outer = decimals(random.uniform(35.0, 85.0), 1);
     let inner = decimals(outer * random.uniform(0.76, 0.92), 1);
-    let jaws = if hidden.contains(&"jaw-position") { 3 } else { random.pick(&[3, 3, 3, 3, 4, 6]) };
+    let jaws = match () {
+        () if hidden.contains(&"jaw-position") => 3,
+        () if hidden.contains(&"jaw-imbalance") => random.pick(&[4, 4, 4, 6]),
+        () => random.pick(&[3, 3, 3, 3, 4, 6]),
+    };
     let mut job = Job {
         outer,
         inner,
@@ -54,7 +58,7 @@ fn ring(hidden: &[&str], random: &mut Random) -> Job {
         rows: Vec::new(),
         noise: random.pick(&[NoiseKind::Column, NoiseKind::Column, NoiseKind::Repeats, NoiseKind::Neither]),
         shown: Vec::new(),
-        compliances: compliances(inner / outer, poisson, if jaws == 3 { 1 } else { jaws }),
+        compliances: compliances(inner / outer, poisson, step(jaws)),
     };
     // As much force as squeezes the bore by so many um.
     let unit = 2.0 * job.compliances[jaws].abs() * jaws as f64 / TAU * 1e6 / (modulus * 1e9 * job.width * 1e-3);

@@ -13,7 +13,7 @@ pub mod writing;
 use std::f64::consts::TAU;
 
 use catalogue::LAWS;
-use job::{Job, Row};
+use job::{Job, Row, SetUp};
 
 use crate::Process;
 use crate::asked::Asked;
@@ -26,7 +26,8 @@ pub const RING: Process = Process {
     name: "ring ",
     laws: LAWS,
     draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
-    never_together: &[],
+    // The one is of three jaws, the other of four and more.
+    never_together: &[["jaw-position", "jaw-imbalance"]],
     catalogue: LAWS,
     scenes: scenes::NAMES,
     draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
@@ -91,6 +92,7 @@ impl crate::job::Job for Job {
     fn admits(&self, effect: &str, _causes: &[Cause]) -> bool {
         match effect {
             "jaw-position" => self.jaws == 3,
+            "jaw-imbalance" => self.jaws >= 4 && self.jaws.is_multiple_of(2),
             "cutting-heat" | "chuck-runout" => self.absolute,
             _ => true,
         }
@@ -108,8 +110,8 @@ impl crate::job::Job for Job {
     }
 
     fn predict(&self, causes: &[Cause]) -> Vec<f64> {
-        let squeeze = self.squeeze(causes);
-        self.rows.iter().zip(squeeze).map(|(row, unit)| self.deviation(causes, row, unit)).collect()
+        let squeezed: Vec<Vec<(f64, f64)>> = self.set_ups.iter().map(|own| self.squeezed(causes, own)).collect();
+        self.rows.iter().map(|row| self.deviation(causes, row, at(&squeezed[row.set_up], row.angle))).collect()
     }
 
     fn shape(&self, random: &mut Random) -> (&'static str, Vec<f64>) {
@@ -150,56 +152,50 @@ impl crate::job::Job for Job {
 }
 
 impl Job {
-    /// u_r of the bore per newton of jaw force at every row, um/N.
-    fn squeeze(&self, causes: &[Cause]) -> Vec<f64> {
+    /// u_r of the bore in a set-up, um: amplitudes of cos and sin of 0, 1, 2 … waves around.
+    fn squeezed(&self, causes: &[Cause], set_up: &SetUp) -> Vec<(f64, f64)> {
         let size = |effect, parameter| value(causes, effect, parameter).unwrap_or(0.0);
         let arc = size("jaw-contact-arc", "arc").to_radians();
         let errors = ["error_2", "error_3"].map(|error| size("jaw-position", error).to_radians());
         let places: Vec<f64> = (0..self.jaws)
             .map(|k| TAU * k as f64 / self.jaws as f64 + if (1..3).contains(&k) { errors[k - 1] } else { 0.0 })
             .collect();
-        let shares = shares(&places);
+        // Each jaw is pulled outwards by what its own mass weighs in the turn.
+        let speed = if set_up.clamped { 0.0 } else { set_up.speed * TAU / 60.0 };
+        let thrown = 1e-3 * size("centrifugal-unloading", "jaw_moment") * speed * speed;
+        let more = 0.01 * size("jaw-imbalance", "difference") * set_up.force;
+        let tightened = |k: usize| set_up.force + if k.is_multiple_of(2) { 0.5 * more } else { -0.5 * more };
+        let forces: Vec<f64> =
+            (0..).zip(shares(&places)).map(|(k, share)| share * (tightened(k) - thrown).max(0.0)).collect();
+        // Compliances are of a ring with E = b = Ro = 1.
+        let scale = 1e6 / (self.modulus * 1e9 * self.width * 1e-3);
         let wave = |m: usize| {
             let half = 0.5 * m as f64 * arc;
             let spread = if half == 0.0 { 1.0 } else { half.sin() / half };
             let sum = |part: fn(f64) -> f64| -> f64 {
-                places.iter().zip(&shares).map(|(place, share)| share * part(m as f64 * place)).sum()
+                places.iter().zip(&forces).map(|(place, force)| force * part(m as f64 * place)).sum()
             };
-            let factor = self.compliances[m] * spread * if m == 0 { 1.0 } else { 2.0 } / TAU;
+            let factor = scale * self.compliances[m] * spread * if m == 0 { 1.0 } else { 2.0 } / TAU;
             (factor * sum(f64::cos), factor * sum(f64::sin))
         };
-        let waves: Vec<(f64, f64)> = (0..self.compliances.len()).map(wave).collect();
-        // Compliances are of a ring with E = b = Ro = 1.
-        let scale = 1e6 / (self.modulus * 1e9 * self.width * 1e-3);
-        let at = |row: &Row| {
-            let angle = row.angle.to_radians();
-            let sum: f64 = (0..)
-                .zip(&waves)
-                .map(|(m, (c, s))| c * (f64::from(m) * angle).cos() + s * (f64::from(m) * angle).sin())
-                .sum();
-            scale * sum
-        };
-        self.rows.iter().map(at).collect()
+        (0..self.compliances.len()).map(wave).collect()
     }
 
     /// What a row shows without noise, um. The nose is set to s outwards and finds the bore where it is while the
     /// ring is cut, at b = blank + squeezed + hot + aside; it yields by k·(s − b), k = C/(C + j), and leaves
     /// s − k·(s − b), which then goes back to the ring let go, cold, and on its own axis. What stresses that
     /// lasted do when they are let go comes after all of that.
-    fn deviation(&self, causes: &[Cause], row: &Row, unit: f64) -> f64 {
+    fn deviation(&self, causes: &[Cause], row: &Row, squeezed: f64) -> f64 {
         let size = |effect, parameter| value(causes, effect, parameter).unwrap_or(0.0);
         let set_up = &self.set_ups[row.set_up];
         if set_up.clamped {
             // At standstill, before the cut: the jaws alone.
-            return unit * set_up.force;
+            return squeezed;
         }
-        let speed = set_up.speed * TAU / 60.0;
-        let force = (set_up.force - 1e-3 * size("centrifugal-unloading", "jaw_moment") * speed * speed).max(0.0);
         let angle = row.angle.to_radians();
         let wave = |effect, amplitude: f64, lobes: f64, turned: f64| {
             amplitude * (lobes * (angle - turned - size(effect, "phase").to_radians())).cos()
         };
-        let squeezed = unit * force;
         let hot = self.expansion * 1e-6 * self.inner * 1e3 * size("cutting-heat", "temperature_rise");
         let aside = wave("chuck-runout", 0.5 * size("chuck-runout", "runout"), 1.0, 0.0);
         let moved = squeezed + hot + aside;
@@ -211,6 +207,12 @@ impl Job {
         let stress = size("residual-stress", "amplitude");
         bored - moved + wave("residual-stress", stress, 2.0, set_up.orientation.to_radians())
     }
+}
+
+/// The sum of waves at an angle, deg.
+fn at(waves: &[(f64, f64)], angle: f64) -> f64 {
+    let angle = angle.to_radians();
+    (0..).zip(waves).map(|(m, (c, s))| c * (f64::from(m) * angle).cos() + s * (f64::from(m) * angle).sin()).sum()
 }
 
 /// Forces of three jaws that can be in equilibrium, from the two equations of the resultant: Σ s cos φ = Σ

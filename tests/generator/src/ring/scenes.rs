@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use super::elastic::compliances;
+use super::elastic::{compliances, step};
 use super::job::{Job, Row, SetUp};
 use crate::job::{Job as _, NoiseKind, Shown};
 use crate::random::{Random, decimals};
@@ -72,7 +72,7 @@ pub fn draw(scene: usize, effects: &[&'static str], random: &mut Random) -> Opti
         rows: Vec::new(),
         noise: NoiseKind::Neither,
         shown: COMPANY[..company].to_vec(),
-        compliances: compliances(inner / outer, poisson, if jaws == 3 { 1 } else { jaws }),
+        compliances: compliances(inner / outer, poisson, step(jaws)),
     };
     // As much force as squeezes the bore by 15 um, and more than the jaws lose at speed.
     let unit = 2.0 * job.compliances[jaws].abs() * jaws as f64 / TAU * 1e6 / (210e9 * width * 1e-3);
