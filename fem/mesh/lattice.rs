@@ -31,6 +31,26 @@ pub struct Lattice {
 /// A place of the lattice in half steps.
 type Place = [usize; 2];
 
+/// Column and row of a cell.
+pub type Cell = [usize; 2];
+
+/// A way out of a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Towards smaller j.
+    Bottom,
+    /// Towards growing i.
+    Right,
+    /// Towards growing j.
+    Top,
+    /// Towards smaller i.
+    Left,
+}
+
+impl Direction {
+    const ALL: [Self; 4] = [Self::Bottom, Self::Right, Self::Top, Self::Left];
+}
+
 impl Lattice {
     /// The mesh with its node at half steps (i, j) at `place(i, j)` (m), which must keep the sense of
     /// turning. Its sides `names` = (bottom, right, top, left) lie at j = 0, i = 2 columns, j = 2 rows and i
@@ -39,16 +59,34 @@ impl Lattice {
     /// # Errors
     /// As [`Mesh::new`].
     pub fn mesh(&self, names: [&str; 4], place: impl Fn(usize, usize) -> [f64; 2]) -> Result<Mesh, MeshError> {
+        self.filled(|_| true, |_, direction| names[direction as usize], place)
+    }
+
+    /// The same of the cells (column, row) that are filled; the free sides of a cell bear the name that `name(cell,
+    /// direction)` gives them.
+    ///
+    /// # Errors
+    /// As [`Mesh::new`].
+    pub fn filled<'n>(
+        &self,
+        is_filled: impl Fn(Cell) -> bool,
+        name: impl Fn(Cell, Direction) -> &'n str,
+        place: impl Fn(usize, usize) -> [f64; 2],
+    ) -> Result<Mesh, MeshError> {
         let corners = self.corner_sets();
         let mut numbers = vec![u32::MAX; self.width() * (2 * self.rows + 1)];
         let mut nodes = Vec::new();
         let (mut connectivity, mut sides) = (Vec::new(), BTreeMap::<String, Vec<Side>>::new());
-        for (column, row) in (0..self.columns).flat_map(|column| (0..self.rows).map(move |row| (column, row))) {
+        let cells = (0..self.columns).flat_map(|column| (0..self.rows).map(move |row| [column, row]));
+        for cell in cells.filter(|cell| is_filled(*cell)) {
+            let [column, row] = cell;
+            let is_free = |direction: &Direction| !self.beside(cell, *direction).is_some_and(&is_filled);
+            let free: Vec<Direction> = Direction::ALL.into_iter().filter(is_free).collect();
             for corner in &corners {
                 let places: Vec<Place> = corner.iter().map(|[i, j]| [2 * column + i, 2 * row + j]).collect();
                 let element = (connectivity.len() / self.element.nodes()) as u32;
-                for (side, name) in self.named_sides(&places, names) {
-                    sides.entry(name.to_owned()).or_default().push(Side { element, side });
+                for (side, direction) in self.sides_toward(&places, cell, &free) {
+                    sides.entry(name(cell, direction).to_owned()).or_default().push(Side { element, side });
                 }
                 for [i, j] in places {
                     let number = &mut numbers[(i % self.width()) * (2 * self.rows + 1) + j];
@@ -80,20 +118,33 @@ impl Lattice {
         }
     }
 
-    /// Sides of the element at `places` that lie on the border of the lattice.
-    fn named_sides<'n>(&self, places: &[Place], names: [&'n str; 4]) -> Vec<(u8, &'n str)> {
-        let [bottom, right, top, left] = names;
-        let (last_column, last_row) = (2 * self.columns, 2 * self.rows);
+    /// The cell beside another one, if the lattice goes on there.
+    fn beside(&self, [column, row]: Cell, direction: Direction) -> Option<Cell> {
+        let around = |column: usize| if self.closed { column % self.columns } else { column };
+        let [column, row] = match direction {
+            Direction::Bottom => [column, row.checked_sub(1)?],
+            Direction::Right => [around(column + 1), row],
+            Direction::Top => [column, row + 1],
+            Direction::Left if self.closed => [around(column + self.columns - 1), row],
+            Direction::Left => [column.checked_sub(1)?, row],
+        };
+        (column < self.columns && row < self.rows).then_some([column, row])
+    }
+
+    /// Sides of the element at `places` of a cell that lie toward some directions.
+    fn sides_toward(&self, places: &[Place], [column, row]: Cell, directions: &[Direction]) -> Vec<(u8, Direction)> {
         let mut found = Vec::new();
         for (side, nodes) in (0..).zip(self.element.edges()) {
-            let all = |on: &dyn Fn(Place) -> bool| nodes.iter().all(|&node| on(places[node]));
-            let borders: [(&dyn Fn(Place) -> bool, &str); 4] = [
-                (&|[_, j]| j == 0, bottom),
-                (&|[i, _]| i == last_column && !self.closed, right),
-                (&|[_, j]| j == last_row, top),
-                (&|[i, _]| i == 0 && !self.closed, left),
-            ];
-            found.extend(borders.iter().filter(|(on, _)| all(on)).map(|&(_, name)| (side, name)));
+            let is_on = |direction: &&Direction| {
+                let on = |[i, j]: Place| match direction {
+                    Direction::Bottom => j == 2 * row,
+                    Direction::Right => i == 2 * column + 2,
+                    Direction::Top => j == 2 * row + 2,
+                    Direction::Left => i == 2 * column,
+                };
+                nodes.iter().all(|&node| on(places[node]))
+            };
+            found.extend(directions.iter().filter(is_on).map(|direction| (side, *direction)));
         }
         found
     }

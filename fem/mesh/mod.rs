@@ -8,6 +8,7 @@ mod gmsh;
 mod lattice;
 mod locate;
 mod rectangle;
+mod revolved;
 mod ring;
 mod spacing;
 #[cfg(test)]
@@ -17,9 +18,10 @@ use std::collections::BTreeMap;
 
 pub use error::MeshError;
 pub use gmsh::{GmshError, read_gmsh};
-pub use lattice::Lattice;
+pub use lattice::{Direction, Lattice};
 pub use locate::Place;
 pub use rectangle::RectangleMesh;
+pub use revolved::{LEFT, RIGHT, RevolvedMesh, Wall};
 pub use ring::{BORE, OUTSIDE, RingMesh};
 pub use spacing::Grading;
 

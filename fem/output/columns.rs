@@ -72,12 +72,14 @@ fn heading(name: &str, unit: &str) -> String {
 /// Whether the column is needed, and its default where it is left out.
 fn need(coordinate: &Coordinate, process: &dyn Process) -> String {
     let only = |observable: usize| &process.observables()[observable].name;
+    let either =
+        |first: usize, last: usize| (first..=last).map(|o| only(o).to_string()).collect::<Vec<_>>().join(" or ");
     match coordinate.absent {
         Absent::Refused => "needed".into(),
         Absent::NeededBut(observable) => format!("needed, but for {}", only(observable)),
-        Absent::NeededBy(observable) => format!("needed with {}", only(observable)),
+        Absent::NeededBy(first, last) => format!("needed with {}", either(first, last)),
         Absent::Model => "the model's if left out".into(),
-        Absent::ModelOf(observable) => format!("the model's if left out, with {}", only(observable)),
+        Absent::ModelOf(first, last) => format!("the model's if left out, with {}", either(first, last)),
         Absent::Value(value) => match &coordinate.holds {
             Holds::Quantity(kind) => format!("{} if left out", kind.format(value)),
             Holds::Number(_) => format!("{value} if left out"),

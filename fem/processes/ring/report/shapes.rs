@@ -31,7 +31,7 @@ pub struct Scene {
     jaws: Vec<Jaw>,
     /// Displacements under the jaws at standstill, m. (nodes, 2)
     displacements: Vec<[f64; 2]>,
-    /// (σxx, σyy, σxy) at the nodes, Pa.
+    /// Stress at the nodes, Pa.
     stresses: Vec<[f64; STRAINS]>,
     /// Change of the bore's radius by the cut at each node's angle, m: the deviation of the released ring.
     cut: Vec<f64>,
@@ -116,11 +116,11 @@ impl Scene {
             let depth = ((setup.held_radius() - r) / (setup.held_radius() - setup.cut_radius())).max(0.0);
             let cut = bored * self.cut[node] * depth / r;
             let [u, v] = self.displacements[node];
-            let [xx, yy, xy] = self.stresses[node].map(|s| clamped * s);
+            let [xx, yy, xy, across] = self.stresses[node].map(|s| clamped * s);
             grid.points.push([x, y, 0.0]);
             displacement.push([clamped * u + cut * x, clamped * v + cut * y, 0.0]);
             stress.push([xx, yy, 0.0, xy, 0.0, 0.0]);
-            single.push(equivalent([xx, yy, xy]));
+            single.push(equivalent([xx, yy, xy, across]));
         }
         self.mesh.elements().for_each(|element| grid.push(Cell::of(element.kind), element.nodes));
         let mut bodies = vec![Drawn::thickened("ring", self.skin.clone())];
@@ -235,6 +235,6 @@ fn angle_of([x, y]: [f64; 2]) -> f64 {
 }
 
 /// Equivalent stress of plane stress by von Mises, Pa.
-fn equivalent([x, y, shear]: [f64; STRAINS]) -> f64 {
+fn equivalent([x, y, shear, _]: [f64; STRAINS]) -> f64 {
     (x * x - x * y + y * y + 3.0 * shear * shear).sqrt()
 }
