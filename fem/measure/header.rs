@@ -41,13 +41,16 @@ pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Resul
         match column(name, unit, vocabulary) {
             Ok(column) => {
                 if let Column::Observed(position, _) = column {
-                    let observable = &vocabulary.observables[position];
-                    let dimension = |position: usize| vocabulary.observables[position].kind.canonical().dimension;
-                    if header.observables.iter().any(|s| dimension(s.position) == dimension(position)) {
+                    let own = MeasuredObservable::new(position, &vocabulary.observables[position], unit);
+                    if header
+                        .observables
+                        .iter()
+                        .any(|s| s.position == position || s.observable.is_instead_of(&own.observable))
+                    {
                         let problem = Problem::new("two columns hold the same observable");
                         problems.push(problem.help("keep either of them"));
                     }
-                    header.observables.push(MeasuredObservable::new(position, observable, unit));
+                    header.observables.push(own);
                 }
                 if column == Column::Unknown {
                     unknown.push(name);

@@ -33,15 +33,15 @@ pub fn all_columns(process: &dyn Process) -> Vec<(String, String)> {
 
 fn all(process: &dyn Process) -> Vec<Column> {
     let observables = process.observables();
-    let dimension = |i: usize| observables[i].kind.canonical().dimension;
-    let alike = |i: usize| (0..observables.len()).filter(|j| dimension(*j) == dimension(i)).count() > 1;
+    let alike = |i: usize| (0..observables.len()).any(|j| j != i && observables[j].is_instead_of(&observables[i]));
     let observed = observables.iter().enumerate().map(|(i, o)| Column {
         heading: heading(&o.name, &o.kind.unit),
         need: match observables.len() {
             1 => "observed".into(),
             _ if alike(i) && observables.len() > 2 => "observed, or another".into(),
             _ if alike(i) => "observed, or the other".into(),
-            _ => "observed, or the other, or both".into(),
+            2 => "observed, or the other, or both".into(),
+            _ => "observed, alone or with others".into(),
         },
         about: format!("what effects change: {}", o.words),
     });

@@ -50,6 +50,12 @@ impl Observable {
         self
     }
 
+    /// Whether both tell the same in two ways, as a height and a deviation do; not what sensors show as it is.
+    pub fn is_instead_of(&self, other: &Self) -> bool {
+        let dimension = |own: &Self| own.kind.canonical().dimension;
+        dimension(self) == dimension(other) && !(self.is_sensed && other.is_sensed)
+    }
+
     /// Kind of errors and changes of it: in micrometres those of a length, in kelvins those of a temperature.
     pub fn error_kind(&self) -> Kind {
         match self.kind {

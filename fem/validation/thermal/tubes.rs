@@ -61,8 +61,8 @@ fn warm_tube() -> Vec<Case> {
         for (r, quantity) in [(0.02, "bore"), (0.028, "diameter at 28 mm"), (0.04, "outside")] {
             let expected = 2e6 * ALPHA * 40.0 * wall.grown(r, is_long);
             let found = diameter(&held, [middle, r], 6e6);
-            // The disc is thin to the square of 1/40 of its wall; ends fade within a few walls.
-            let tolerance = Tolerance::Relative(if is_long { 2e-5 } else { 2e-4 });
+            // The disc is thin to a part of the square of its 1 mm over its wall of 20; ends of the tube fade.
+            let tolerance = Tolerance::Relative(if is_long { 2e-5 } else { 5e-4 });
             cases.push(row(
                 name,
                 quantity,
