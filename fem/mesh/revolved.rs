@@ -92,7 +92,7 @@ impl RevolvedMesh {
                 }
             }
         }
-        if !(self.size > 0.0) {
+        if !(self.size > 0.0 && self.size.is_finite()) {
             return Err(MeshError::parameter("size of cells (m)", "above zero", self.size));
         }
         let (x, y) = (self.along().lines(), self.across().lines());
