@@ -13,7 +13,7 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use fem::element::plane::{Capacity, Conduction, Elasticity, PlaneState, Quad4, Quad8};
+use fem::element::plane::{Capacity, Conduction, Elasticity, PlaneState, Quad4, Quad8, Thickness};
 use fem::input::Source;
 use fem::mesh::{Grading, Mesh, RectangleMesh, RingMesh};
 use fem::model::Model;
@@ -183,7 +183,7 @@ fn heat(cells: [usize; 2]) -> Result<(), Box<dyn Error>> {
             conditions.push(Condition::Convection { sides: side.to_owned(), coefficient: 100.0, ambient });
         }
         clock.lap("mesh");
-        let law = Conduction { conductivity: 45.0, heat_capacity: 7850.0 * 470.0, thickness: 1.0 };
+        let law = Conduction { conductivity: 45.0, heat_capacity: 7850.0 * 470.0, thickness: Thickness::Uniform(1.0) };
         let system = ThermalSystem::new(&mesh, law, Capacity::Consistent, &conditions)?;
         clock.lap("assembled");
         let node = mesh.nearest_node([0.0, 0.025]);
@@ -210,7 +210,7 @@ fn triangles(cells: [usize; 2]) -> Result<(), Box<dyn Error>> {
     let order = Order::default().find(&graph, mesh.nodes())?;
     let freedoms = Freedoms::new(1, &order, &[]);
     let pattern = Arc::new(Pattern::new(&graph, &freedoms));
-    let law = Conduction { conductivity: 45.0, heat_capacity: 7850.0 * 470.0, thickness: 1.0 };
+    let law = Conduction { conductivity: 45.0, heat_capacity: 7850.0 * 470.0, thickness: Thickness::Uniform(1.0) };
     let matrix = Matrix::assemble::<1>(&mesh, &pattern, &freedoms, |_, sampled, coordinates, square| {
         law.capacity(Capacity::Consistent, sampled, coordinates, square);
     })?;

@@ -41,13 +41,16 @@ pub fn read(cells: &[String], vocabulary: Vocabulary, purpose: Purpose) -> Resul
         match column(name, unit, vocabulary) {
             Ok(column) => {
                 if let Column::Observed(position, _) = column {
-                    let observable = &vocabulary.observables[position];
-                    let dimension = |position: usize| vocabulary.observables[position].kind.canonical().dimension;
-                    if header.observables.iter().any(|s| dimension(s.position) == dimension(position)) {
+                    let own = MeasuredObservable::new(position, &vocabulary.observables[position], unit);
+                    if header
+                        .observables
+                        .iter()
+                        .any(|s| s.position == position || s.observable.is_instead_of(&own.observable))
+                    {
                         let problem = Problem::new("two columns hold the same observable");
                         problems.push(problem.help("keep either of them"));
                     }
-                    header.observables.push(MeasuredObservable::new(position, observable, unit));
+                    header.observables.push(own);
                 }
                 if column == Column::Unknown {
                     unknown.push(name);
@@ -125,11 +128,11 @@ fn missing<'p>(header: &Header, vocabulary: Vocabulary<'p>) -> impl Iterator<Ite
     let given = |i: usize| header.columns.iter().any(|c| matches!(c, Column::Coordinate(j, _) if *j == i));
     let needed = |coordinate: &Coordinate| match coordinate.absent {
         Absent::Refused => true,
-        Absent::NeededBy(observable) => header.observables.iter().any(|s| s.position == observable),
+        Absent::NeededBy(first, last) => header.observables.iter().any(|s| (first..=last).contains(&s.position)),
         Absent::NeededBut(observable) => {
             header.observables.is_empty() || header.observables.iter().any(|s| s.position != observable)
         }
-        Absent::Value(_) | Absent::Model | Absent::ModelOf(_) => false,
+        Absent::Value(_) | Absent::Model | Absent::ModelOf(..) => false,
     };
     let all = vocabulary.coordinates.iter().enumerate();
     all.filter(move |(i, coordinate)| needed(coordinate) && !given(*i)).map(|(_, coordinate)| coordinate)
@@ -189,7 +192,7 @@ fn column_of(coordinate: &Coordinate) -> String {
 /// Columns without which a file tells nothing: those of the first observable.
 pub fn needed(vocabulary: Vocabulary) -> Vec<String> {
     let is_needed =
-        |c: &&Coordinate| matches!(c.absent, Absent::Refused | Absent::NeededBy(0) | Absent::NeededBut(1..));
+        |c: &&Coordinate| matches!(c.absent, Absent::Refused | Absent::NeededBy(0, _) | Absent::NeededBut(1..));
     let coordinates = vocabulary.coordinates.iter().filter(is_needed).map(column_of);
     coordinates.chain(observed(vocabulary).into_iter().take(1)).collect()
 }

@@ -206,8 +206,7 @@ fn check(files: &[Measurements]) -> Result<(), Problem> {
     for file in files {
         for own in &file.observables {
             let same = |other: &&(&str, &MeasuredObservable)| {
-                let dimension = |o: &MeasuredObservable| o.kind.canonical().dimension;
-                other.1.position != own.position && dimension(other.1) == dimension(own)
+                other.1.position != own.position && other.1.observable.is_instead_of(&own.observable)
             };
             if let Some((name, other)) = seen.iter().find(same) {
                 let message = format!("{name} holds `{}`, and {} holds `{}`", other.name, file.name, own.name);

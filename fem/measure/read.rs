@@ -218,7 +218,7 @@ impl<'a> Builder<'a> {
             for ((column, value), coordinate) in
                 table.rows.columns.iter_mut().zip(&coordinates).zip(self.vocabulary.coordinates)
             {
-                let elsewhere = coordinate.absent.only_of().is_some_and(|own| own != o.observable);
+                let elsewhere = coordinate.absent.only_of().is_some_and(|own| !own.contains(&o.observable));
                 column.push(if elsewhere { f64::NAN } else { *value });
             }
             let own = self.vocabulary.coordinates.len();
@@ -281,7 +281,9 @@ impl<'a> Builder<'a> {
     /// that are given, else the first.
     fn planned(&self, record: &StringRecord) -> usize {
         let needs = |(cell, column): (&str, &Column)| match column {
-            Column::Coordinate(i, _) if !cell.is_empty() => self.vocabulary.coordinates[*i].absent.only_of(),
+            Column::Coordinate(i, _) if !cell.is_empty() => {
+                self.vocabulary.coordinates[*i].absent.only_of().map(|own| *own.start())
+            }
             _ => None,
         };
         record.iter().zip(&self.header.columns).find_map(needs).unwrap_or(0)
@@ -295,7 +297,7 @@ impl<'a> Builder<'a> {
             let Column::Coordinate(i, unit) = column else { continue };
             let coordinate = &self.vocabulary.coordinates[*i];
             let own = coordinate.absent.only_of();
-            let idle = own.is_some_and(|own| observed.iter().all(|o| o.observable != own));
+            let idle = own.is_some_and(|own| observed.iter().all(|o| !own.contains(&o.observable)));
             if idle && cell.is_empty() {
                 continue;
             }
@@ -337,7 +339,7 @@ fn uncertainty(cell: &str, name: &str, unit: Unit) -> Result<f64, Problem> {
 fn left_out(coordinate: &crate::process::Coordinate) -> f64 {
     match coordinate.absent {
         Absent::Value(value) => value,
-        Absent::Refused | Absent::Model | Absent::NeededBy(_) | Absent::NeededBut(_) | Absent::ModelOf(_) => f64::NAN,
+        Absent::Refused | Absent::Model | Absent::NeededBy(..) | Absent::NeededBut(_) | Absent::ModelOf(..) => f64::NAN,
     }
 }
 

@@ -15,6 +15,8 @@ pub struct MeasuredObservable {
     pub kind: Kind,
     /// Unit in which the file gives it.
     pub unit: String,
+    /// What it is.
+    pub observable: Observable,
 }
 
 impl MeasuredObservable {
@@ -25,7 +27,13 @@ impl MeasuredObservable {
     }
 
     pub(super) fn new(position: usize, observable: &Observable, unit: &str) -> Self {
-        Self { position, name: observable.name.clone(), kind: observable.error_kind(), unit: unit.to_string() }
+        Self {
+            position,
+            name: observable.name.clone(),
+            kind: observable.error_kind(),
+            unit: unit.to_string(),
+            observable: observable.clone(),
+        }
     }
 }
 

@@ -25,6 +25,16 @@ impl Mesh {
         sides.into_iter().filter(|&side| counts[&ends(side)] == 1).collect()
     }
 
+    /// Calls those of the sides called `of` whose middle (m) is in some part by `name`.
+    ///
+    /// # Errors
+    /// The mesh has no sides called `of`.
+    pub fn name_part(&mut self, name: &str, of: &str, is_in: impl Fn([f64; 2]) -> bool) -> Result<(), MeshError> {
+        let own = self.sides(of)?.iter().copied().filter(|side| is_in(self.curve(*side).point(0.0))).collect();
+        self.sides.insert(name.to_owned(), own);
+        Ok(())
+    }
+
     /// Calls the part of the border that is on no sides called one of `others` by `name`.
     ///
     /// # Errors

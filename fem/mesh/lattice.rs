@@ -31,6 +31,26 @@ pub struct Lattice {
 /// A place of the lattice in half steps.
 type Place = [usize; 2];
 
+/// Column and row of a cell.
+pub type Cell = [usize; 2];
+
+/// A way out of a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Towards smaller j.
+    Bottom,
+    /// Towards growing i.
+    Right,
+    /// Towards growing j.
+    Top,
+    /// Towards smaller i.
+    Left,
+}
+
+impl Direction {
+    const ALL: [Self; 4] = [Self::Bottom, Self::Right, Self::Top, Self::Left];
+}
+
 impl Lattice {
     /// The mesh with its node at half steps (i, j) at `place(i, j)` (m), which must keep the sense of
     /// turning. Its sides `names` = (bottom, right, top, left) lie at j = 0, i = 2 columns, j = 2 rows and i
@@ -39,33 +59,34 @@ impl Lattice {
     /// # Errors
     /// As [`Mesh::new`].
     pub fn mesh(&self, names: [&str; 4], place: impl Fn(usize, usize) -> [f64; 2]) -> Result<Mesh, MeshError> {
-        self.mesh_where(|_, _| true, names, place)
+        self.filled(|_| true, |_, direction| names[direction as usize], place)
     }
 
-    /// As [`mesh`](Self::mesh), of the cells (column, row) that are `filled` alone. Sides are called by the neighbour that their
-    /// cell does not have.
+    /// The same of the cells (column, row) that are filled; the free sides of a cell bear the name that `name(cell,
+    /// direction)` gives them.
     ///
     /// # Errors
     /// As [`Mesh::new`].
-    pub fn mesh_where(
+    pub fn filled<'n>(
         &self,
-        filled: impl Fn(usize, usize) -> bool,
-        names: [&str; 4],
+        is_filled: impl Fn(Cell) -> bool,
+        name: impl Fn(Cell, Direction) -> &'n str,
         place: impl Fn(usize, usize) -> [f64; 2],
     ) -> Result<Mesh, MeshError> {
         let corners = self.corner_sets();
         let mut numbers = vec![u32::MAX; self.width() * (2 * self.rows + 1)];
         let mut nodes = Vec::new();
         let (mut connectivity, mut sides) = (Vec::new(), BTreeMap::<String, Vec<Side>>::new());
-        let cells = (0..self.columns).flat_map(|column| (0..self.rows).map(move |row| (column, row)));
-        for (column, row) in cells.filter(|(column, row)| filled(*column, *row)) {
-            let bare = self.bare(&filled, column, row);
+        let cells = (0..self.columns).flat_map(|column| (0..self.rows).map(move |row| [column, row]));
+        for cell in cells.filter(|cell| is_filled(*cell)) {
+            let [column, row] = cell;
+            let is_free = |direction: &Direction| !self.beside(cell, *direction).is_some_and(&is_filled);
+            let free: Vec<Direction> = Direction::ALL.into_iter().filter(is_free).collect();
             for corner in &corners {
                 let places: Vec<Place> = corner.iter().map(|[i, j]| [2 * column + i, 2 * row + j]).collect();
                 let element = (connectivity.len() / self.element.nodes()) as u32;
-                for (side, border) in self.borders(corner).filter(|(_, border)| bare[*border]) {
-                    let name = names[border];
-                    sides.entry(name.to_owned()).or_default().push(Side { element, side });
+                for (side, direction) in self.sides_toward(&places, cell, &free) {
+                    sides.entry(name(cell, direction).to_owned()).or_default().push(Side { element, side });
                 }
                 for [i, j] in places {
                     let number = &mut numbers[(i % self.width()) * (2 * self.rows + 1) + j];
@@ -97,28 +118,34 @@ impl Lattice {
         }
     }
 
-    /// Whether a cell has no neighbour below, to the right, above and to the left.
-    fn bare(&self, filled: &impl Fn(usize, usize) -> bool, column: usize, row: usize) -> [bool; 4] {
-        let last = self.columns - 1;
-        let [right, left] = match self.closed {
-            true => [Some((column + 1) % self.columns), Some((column + last) % self.columns)],
-            false => [(column < last).then_some(column + 1), column.checked_sub(1)],
+    /// The cell beside another one, if the lattice goes on there.
+    fn beside(&self, [column, row]: Cell, direction: Direction) -> Option<Cell> {
+        let around = |column: usize| if self.closed { column % self.columns } else { column };
+        let [column, row] = match direction {
+            Direction::Bottom => [column, row.checked_sub(1)?],
+            Direction::Right => [around(column + 1), row],
+            Direction::Top => [column, row + 1],
+            Direction::Left if self.closed => [around(column + self.columns - 1), row],
+            Direction::Left => [column.checked_sub(1)?, row],
         };
-        [
-            row == 0 || !filled(column, row - 1),
-            right.is_none_or(|right| !filled(right, row)),
-            row + 1 == self.rows || !filled(column, row + 1),
-            left.is_none_or(|left| !filled(left, row)),
-        ]
+        (column < self.columns && row < self.rows).then_some([column, row])
     }
 
-    /// Sides of an element whose nodes are at `corner` in its cell that lie on a border of the cell: 0 below, then
-    /// counter-clockwise.
-    fn borders(&self, corner: &[Place]) -> impl Iterator<Item = (u8, usize)> {
-        let on = |nodes: &[usize]| {
-            let all = |axis: usize, at: usize| nodes.iter().all(|&node| corner[node][axis] == at);
-            [all(1, 0), all(0, 2), all(1, 2), all(0, 0)].into_iter().position(|is_on| is_on)
-        };
-        (0..).zip(self.element.edges()).filter_map(move |(side, nodes)| on(nodes).map(|border| (side, border)))
+    /// Sides of the element at `places` of a cell that lie toward some directions.
+    fn sides_toward(&self, places: &[Place], [column, row]: Cell, directions: &[Direction]) -> Vec<(u8, Direction)> {
+        let mut found = Vec::new();
+        for (side, nodes) in (0..).zip(self.element.edges()) {
+            let is_on = |direction: &&Direction| {
+                let on = |[i, j]: Place| match direction {
+                    Direction::Bottom => j == 2 * row,
+                    Direction::Right => i == 2 * column + 2,
+                    Direction::Top => j == 2 * row + 2,
+                    Direction::Left => i == 2 * column,
+                };
+                nodes.iter().all(|&node| on(places[node]))
+            };
+            found.extend(directions.iter().filter(is_on).map(|direction| (side, *direction)));
+        }
+        found
     }
 }

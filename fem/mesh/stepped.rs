@@ -6,6 +6,7 @@
 //!        +-----underside-----+ x   end of a piece and at every height
 //! ```
 
+use super::lattice::{Cell, Direction};
 use super::ring::half_step;
 use super::{Lattice, Mesh, MeshError};
 use crate::element::plane::PlaneElement;
@@ -55,11 +56,13 @@ impl SteppedMesh<'_> {
             self.pieces[ends[1..].partition_point(|to| *to < middle(&x, column)).min(self.pieces.len() - 1)].1
         };
         let lattice = Lattice { columns: x.len() - 1, rows: y.len() - 1, closed: false, element: self.element };
-        lattice.mesh_where(
-            |column, row| middle(&y, row) < height(column),
-            ["underside", "ends", "top", "ends"],
-            |i, j| [half_step(&x, i), half_step(&y, j)],
-        )
+        let name = |_, direction| match direction {
+            Direction::Bottom => "underside",
+            Direction::Top => "top",
+            Direction::Left | Direction::Right => "ends",
+        };
+        let is_filled = |[column, row]: Cell| middle(&y, row) < height(column);
+        lattice.filled(is_filled, name, |i, j| [half_step(&x, i), half_step(&y, j)])
     }
 
     /// Borders of cells between places that are borders themselves.

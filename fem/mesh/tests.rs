@@ -138,3 +138,38 @@ fn points_are_found_in_their_element() {
         assert_eq!(mesh.locate([0.06, 0.0]), None);
     }
 }
+
+/// A shoulder borders the outside or the bore; a solid length has its axis.
+#[test]
+fn bodies_of_revolution_have_their_sides() {
+    let wall = |length: f64, radii: [f64; 2]| Wall { length, radii };
+    let walls = vec![wall(0.04, [0.02, 0.05]), wall(0.06, [0.02, 0.035]), wall(0.03, [0.0, 0.03])];
+    for element in ALL {
+        let revolved =
+            RevolvedMesh { walls: walls.clone(), size: 0.01, sections: vec![0.047, 0.04], element: *element };
+        let mesh = revolved.build().unwrap();
+        assert!((area(&mesh) - (0.04 * 0.03 + 0.06 * 0.015 + 0.03 * 0.03)).abs() < 1e-15, "{element:?}");
+        let cells = revolved.cells();
+        assert_eq!(
+            mesh.element_count() as f64,
+            if element.corners() == 4 { cells } else { 2.0 * cells },
+            "{element:?}"
+        );
+        let along = |name: &str| -> f64 { mesh.sides(name).unwrap().iter().map(|s| mesh.curve(*s).length()).sum() };
+        for (name, length) in [
+            (LEFT, 0.03),
+            (RIGHT, 0.03),
+            (OUTSIDE, 0.04 + 0.015 + 0.06 + 0.005 + 0.03),
+            (BORE, 0.04 + 0.06 + 0.02),
+            ("axis", 0.03),
+        ] {
+            assert!((along(name) - length).abs() < 1e-14, "{element:?} {name}: {}", along(name));
+        }
+        assert!(mesh.nodes().iter().any(|node| (node[0] - 0.047).abs() < 1e-15), "{element:?}");
+    }
+    let apart = vec![wall(0.04, [0.03, 0.05]), wall(0.04, [0.0, 0.02])];
+    let apart = RevolvedMesh { walls: apart, size: 0.01, sections: Vec::new(), element: &Quad8 };
+    assert!(matches!(apart.build(), Err(MeshError::Disconnected { .. })));
+    let turned = RevolvedMesh { walls: vec![wall(0.04, [0.05, 0.03])], ..apart };
+    assert!(matches!(turned.build(), Err(MeshError::Parameter { .. })));
+}

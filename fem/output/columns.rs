@@ -33,15 +33,15 @@ pub fn all_columns(process: &dyn Process) -> Vec<(String, String)> {
 
 fn all(process: &dyn Process) -> Vec<Column> {
     let observables = process.observables();
-    let dimension = |i: usize| observables[i].kind.canonical().dimension;
-    let alike = |i: usize| (0..observables.len()).filter(|j| dimension(*j) == dimension(i)).count() > 1;
+    let alike = |i: usize| (0..observables.len()).any(|j| j != i && observables[j].is_instead_of(&observables[i]));
     let observed = observables.iter().enumerate().map(|(i, o)| Column {
         heading: heading(&o.name, &o.kind.unit),
         need: match observables.len() {
             1 => "observed".into(),
             _ if alike(i) && observables.len() > 2 => "observed, or another".into(),
             _ if alike(i) => "observed, or the other".into(),
-            _ => "observed, or the other, or both".into(),
+            2 => "observed, or the other, or both".into(),
+            _ => "observed, alone or with others".into(),
         },
         about: format!("what effects change: {}", o.words),
     });
@@ -72,12 +72,14 @@ fn heading(name: &str, unit: &str) -> String {
 /// Whether the column is needed, and its default where it is left out.
 fn need(coordinate: &Coordinate, process: &dyn Process) -> String {
     let only = |observable: usize| &process.observables()[observable].name;
+    let either =
+        |first: usize, last: usize| (first..=last).map(|o| only(o).to_string()).collect::<Vec<_>>().join(" or ");
     match coordinate.absent {
         Absent::Refused => "needed".into(),
         Absent::NeededBut(observable) => format!("needed, but for {}", only(observable)),
-        Absent::NeededBy(observable) => format!("needed with {}", only(observable)),
+        Absent::NeededBy(first, last) => format!("needed with {}", either(first, last)),
         Absent::Model => "the model's if left out".into(),
-        Absent::ModelOf(observable) => format!("the model's if left out, with {}", only(observable)),
+        Absent::ModelOf(first, last) => format!("the model's if left out, with {}", either(first, last)),
         Absent::Value(value) => match &coordinate.holds {
             Holds::Quantity(kind) => format!("{} if left out", kind.format(value)),
             Holds::Number(_) => format!("{value} if left out"),

@@ -1,5 +1,7 @@
 //! Observables of a process, and the coordinates and conditions under which they are observed.
 
+use std::ops::RangeInclusive;
+
 use super::{Values, Words};
 use crate::input::Name;
 use crate::units::{Kind, LENGTH, MICRO, TEMPERATURE, TEMPERATURE_RISE};
@@ -46,6 +48,12 @@ impl Observable {
     pub const fn traced(mut self) -> Self {
         self.is_traced = true;
         self
+    }
+
+    /// Whether both tell the same in two ways, as a height and a deviation do; not what sensors show as it is.
+    pub fn is_instead_of(&self, other: &Self) -> bool {
+        let dimension = |own: &Self| own.kind.canonical().dimension;
+        dimension(self) == dimension(other) && !(self.is_sensed && other.is_sensed)
     }
 
     /// Kind of errors and changes of it: in micrometres those of a length, in kelvins those of a temperature.
@@ -159,20 +167,20 @@ pub enum Absent {
     Value(f64),
     /// The model's value. Such a coordinate is NaN in [`Rows`].
     Model,
-    /// It must be there where this observable is, by its position in the process's list, and is nothing
-    /// (NaN) where another is.
-    NeededBy(usize),
+    /// It must be there where one of these observables is, by the first and the last of their positions in the process's
+    /// list, and is nothing (NaN) where another is.
+    NeededBy(usize, usize),
     /// It must be there, but where this observable alone is, of which it is nothing (NaN).
     NeededBut(usize),
-    /// The model's value (NaN), of this observable; of another it is nothing.
-    ModelOf(usize),
+    /// The model's value (NaN), of these observables, from the first to the last; of another it is nothing.
+    ModelOf(usize, usize),
 }
 
 impl Absent {
-    /// The observable that alone has the coordinate, if it is not for all.
-    pub fn only_of(self) -> Option<usize> {
+    /// The observables that alone have the coordinate, if it is not for all.
+    pub fn only_of(self) -> Option<RangeInclusive<usize>> {
         match self {
-            Self::NeededBy(observable) | Self::ModelOf(observable) => Some(observable),
+            Self::NeededBy(first, last) | Self::ModelOf(first, last) => Some(first..=last),
             Self::Refused | Self::Value(_) | Self::Model | Self::NeededBut(_) => None,
         }
     }

@@ -35,6 +35,7 @@ mod recorded;
 mod records;
 mod remedies;
 mod report;
+mod revolved;
 mod ring;
 mod rotary;
 mod served;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use fem::element::plane::{ALL, Capacity, Conduction, PlaneElement, Quad9, Sampled};
+use fem::element::plane::{ALL, Capacity, Conduction, PlaneElement, Quad9, Sampled, Thickness};
 use fem::mesh::{Mesh, RectangleMesh};
 use fem::solve::conduction::{Run, Scheme, ThermalSystem};
 
@@ -11,7 +11,7 @@ use crate::order;
 const END: f64 = 0.05;
 
 fn final_temperatures(mesh: &Mesh, scheme: Scheme, step: f64) -> Vec<f64> {
-    let law = Conduction { conductivity: 1.0, heat_capacity: 1.0, thickness: 1.0 };
+    let law = Conduction { conductivity: 1.0, heat_capacity: 1.0, thickness: Thickness::Uniform(1.0) };
     let system = ThermalSystem::new(mesh, law, Capacity::Consistent, &[]).unwrap();
     let initial: Vec<f64> = mesh.nodes().iter().map(|[x, _]| (PI * x).cos()).collect();
     let mut last = Vec::new();

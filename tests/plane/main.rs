@@ -7,6 +7,7 @@ mod elliptic_membrane;
 mod heat_rates;
 mod other_codes;
 mod patch;
+mod revolved;
 mod ring_free;
 mod ring_jaws;
 mod ring_rates;

@@ -1,7 +1,7 @@
 //! The section that scikit-fem, NGSolve and CalculiX agree on: 0.10 × 0.05 m, k 45, ρ 7850, c 470, 50 kW/m²
 //! on x = 0, h = 100 W/m²K to 20 °C elsewhere, 200 steps of 1 s, quad4, 200 × 100 cells.
 
-use fem::element::plane::{Capacity, Conduction, Quad4};
+use fem::element::plane::{Capacity, Conduction, Quad4, Thickness};
 use fem::mesh::RectangleMesh;
 use fem::solve::conduction::{Condition, History, Power, Run, Scheme, ThermalSystem};
 
@@ -13,7 +13,7 @@ fn temperatures_are_those_of_other_codes() {
         let ambient = History::Constant(20.0);
         conditions.push(Condition::Convection { sides: side.to_owned(), coefficient: 100.0, ambient });
     }
-    let law = Conduction { conductivity: 45.0, heat_capacity: 7850.0 * 470.0, thickness: 1.0 };
+    let law = Conduction { conductivity: 45.0, heat_capacity: 7850.0 * 470.0, thickness: Thickness::Uniform(1.0) };
     let system = ThermalSystem::new(&mesh, law, Capacity::Consistent, &conditions).unwrap();
     let places = [[0.0, 0.025], [0.05, 0.025], [0.10, 0.025], [0.0, 0.0]].map(|place| mesh.nearest_node(place));
     for (scheme, expected) in [

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use fem::element::plane::{Capacity, Conduction, PlaneElement, Quad4, Quad8, Quad9, Tri3, Tri6};
+use fem::element::plane::{Capacity, Conduction, PlaneElement, Quad4, Quad8, Quad9, Thickness, Tri3, Tri6};
 use fem::mesh::{Grading, Mesh, RectangleMesh};
 use fem::solve::conduction::{Condition, Energy, History, Power, Run, Scheme, ThermalError, ThermalSystem};
 
@@ -24,7 +24,7 @@ fn rectangle(size: [f64; 2], cells: [usize; 2], element: &'static dyn PlaneEleme
 }
 
 fn system<'m>(mesh: &'m Mesh, [k, rho_c]: [f64; 2], conditions: &[Condition]) -> ThermalSystem<'m> {
-    let law = Conduction { conductivity: k, heat_capacity: rho_c, thickness: 0.02 };
+    let law = Conduction { conductivity: k, heat_capacity: rho_c, thickness: Thickness::Uniform(0.02) };
     ThermalSystem::new(mesh, law, Capacity::Consistent, conditions).unwrap()
 }
 
@@ -152,7 +152,7 @@ fn heat_is_balanced_to_rounding() {
             flux("right", 5e4, vec![[3.0, 11.0]]),
             Condition::MovingFlux { sides: "top".to_owned(), flux: 1e6, width: 0.013, start: -0.01, speed: 0.003 },
         ];
-        let law = Conduction { conductivity: 45.0, heat_capacity: 3.6e6, thickness: 0.02 };
+        let law = Conduction { conductivity: 45.0, heat_capacity: 3.6e6, thickness: Thickness::Uniform(0.02) };
         for capacity in [Capacity::Consistent, Capacity::Lumped] {
             let system = ThermalSystem::new(&mesh, law, capacity, &conditions).unwrap();
             for scheme in [Scheme::Sdirk2, Scheme::CrankNicolson, Scheme::BackwardEuler] {
@@ -185,7 +185,7 @@ fn what_has_no_steady_state_says_so() {
     let mesh = rectangle([0.1, 0.05], [4, 4], &Quad4);
     let insulated = system(&mesh, [45.0, 3.6e6], &[flux("left", 5e4, vec![])]);
     assert_eq!(insulated.steady(0.0), Err(ThermalError::Insulated { element: 0 }));
-    let law = Conduction { conductivity: -1.0, heat_capacity: 1.0, thickness: 1.0 };
+    let law = Conduction { conductivity: -1.0, heat_capacity: 1.0, thickness: Thickness::Uniform(1.0) };
     let error = ThermalSystem::new(&mesh, law, Capacity::Lumped, &[]).unwrap_err();
     assert_eq!(error.to_string(), "conductivity (W/(m K)) must be above zero, not -1");
     let error = ThermalSystem::new(

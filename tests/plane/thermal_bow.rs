@@ -1,7 +1,7 @@
 //! A plate heated from above: elongation and bow from the temperature field, without stress where it is
 //! linear.
 
-use fem::element::plane::{ALL, Capacity, Conduction, Elasticity, PlaneState};
+use fem::element::plane::{ALL, Capacity, Conduction, Elasticity, PlaneState, Thickness};
 use fem::mesh::RectangleMesh;
 use fem::solve::conduction::{Condition, History, ThermalSystem};
 use fem::solve::elastic::{ElasticSystem, Loads, nodal_stresses};
@@ -16,7 +16,7 @@ fn a_gradient_bows_a_plate() {
             sides: sides.to_owned(),
             temperature: History::Constant(temperature),
         };
-        let conduction = Conduction { conductivity: 50.0, heat_capacity: 3.7e6, thickness: 0.06 };
+        let conduction = Conduction { conductivity: 50.0, heat_capacity: 3.7e6, thickness: Thickness::Uniform(0.06) };
         let conditions = [held("bottom", 0.0), held("top", rise)];
         let thermal = ThermalSystem::new(&mesh, conduction, Capacity::Consistent, &conditions).unwrap();
         let temperatures = thermal.steady(0.0).unwrap();

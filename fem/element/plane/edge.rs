@@ -10,10 +10,14 @@
 //! The shape functions of every element reduce to these along its sides (a property test checks that they
 //! do).
 
+use super::Thickness;
 use super::quadrature::LINE_3;
 
 /// The most nodes a side has; arrays over its nodes have this length.
 pub const EDGE_NODES: usize = 3;
+
+/// All of a side, in s.
+pub const WHOLE: [f64; 2] = [-1.0, 1.0];
 
 /// Shape functions of a side of `nodes` (2 or 3) nodes: start, end, middle.
 pub fn edge_shapes(nodes: usize, s: f64) -> [f64; EDGE_NODES] {
@@ -82,38 +86,55 @@ impl EdgeCurve {
     /// Length, m.
     pub fn length(&self) -> f64 {
         let mut length = 0.0;
-        self.integrate_over(-1.0, 1.0, |dl, _, _| length += dl);
+        self.integrate_over(WHOLE[0], WHOLE[1], |dl, _, _| length += dl);
         length
     }
 
-    /// ∫ Nₐ dl (m) from `from` to `to` (in s): what a uniform flux or traction gives to each node.
-    pub fn shape_integrals(&self, from: f64, to: f64) -> [f64; EDGE_NODES] {
+    /// ∫ f w dl in the same way, w the weight of the thickness.
+    fn integrate_weighted(
+        &self,
+        thickness: Thickness,
+        [from, to]: [f64; 2],
+        mut add: impl FnMut(f64, &[f64; EDGE_NODES], [f64; 2]),
+    ) {
+        self.integrate_over(from, to, |dl, shapes, [nx, ny]| {
+            let y: f64 = shapes.iter().zip(&self.coordinates).map(|(shape, node)| shape * node[1]).sum();
+            let weight = thickness.weight(y);
+            add(dl * weight, shapes, [nx * weight, ny * weight]);
+        });
+    }
+
+    /// ∫ Nₐ w dl (m; of a body of revolution m²) over a part of the side (in s): what a uniform flux or traction gives to
+    /// each node.
+    pub fn shape_integrals(&self, thickness: Thickness, part: [f64; 2]) -> [f64; EDGE_NODES] {
         let mut integrals = [0.0; EDGE_NODES];
-        self.integrate_over(from, to, |dl, shapes, _| {
+        self.integrate_weighted(thickness, part, |own, shapes, _| {
             for (integral, shape) in integrals.iter_mut().zip(shapes) {
-                *integral += shape * dl;
+                *integral += shape * own;
             }
         });
         integrals
     }
 
-    /// ∫ Nₐ N_b dl (m): times thickness and film coefficient, the convection matrix.
-    pub fn shape_products(&self) -> [[f64; EDGE_NODES]; EDGE_NODES] {
+    /// ∫ Nₐ N_b w dl (m; of a body of revolution m²): times the scale of the thickness and the film coefficient, the
+    /// convection matrix.
+    pub fn shape_products(&self, thickness: Thickness) -> [[f64; EDGE_NODES]; EDGE_NODES] {
         let mut products = [[0.0; EDGE_NODES]; EDGE_NODES];
-        self.integrate_over(-1.0, 1.0, |dl, shapes, _| {
+        self.integrate_weighted(thickness, WHOLE, |own, shapes, _| {
             for a in 0..EDGE_NODES {
                 for b in 0..EDGE_NODES {
-                    products[a][b] += shapes[a] * shapes[b] * dl;
+                    products[a][b] += shapes[a] * shapes[b] * own;
                 }
             }
         });
         products
     }
 
-    /// −∫ Nₐ n dl (m): forces per thickness and unit of pressure, pressing on the body.
-    pub fn pressure_forces(&self) -> [[f64; 2]; EDGE_NODES] {
+    /// −∫ Nₐ n w dl (m; of a body of revolution m²): forces per unit of pressure and of the scale of the thickness,
+    /// pressing on the body.
+    pub fn pressure_forces(&self, thickness: Thickness) -> [[f64; 2]; EDGE_NODES] {
         let mut forces = [[0.0; 2]; EDGE_NODES];
-        self.integrate_over(-1.0, 1.0, |_, shapes, [nx, ny]| {
+        self.integrate_weighted(thickness, WHOLE, |_, shapes, [nx, ny]| {
             for (force, shape) in forces.iter_mut().zip(shapes) {
                 *force = [force[0] - shape * nx, force[1] - shape * ny];
             }

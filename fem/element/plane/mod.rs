@@ -1,4 +1,5 @@
-//! Plane elements: shapes (one file each), quadrature, and the weak forms of elasticity and heat conduction.
+//! Plane elements: shapes (one file each), quadrature, and the weak forms of elasticity and heat conduction in plane
+//! bodies and bodies of revolution.
 //!
 //! An element is data and two functions ([`PlaneElement`]). Everything else (sampling, weak forms, meshes,
 //! the property tests) follows from the list [`ALL`]; a new element is one file and one line there.
@@ -15,18 +16,20 @@ pub mod quadrature;
 mod sampled;
 #[cfg(test)]
 mod tests;
+mod thickness;
 mod tri3;
 mod tri6;
 
 use std::fmt;
 
-pub use edge::{EDGE_NODES, EdgeCurve, edge_shapes, edge_slopes};
+pub use edge::{EDGE_NODES, EdgeCurve, WHOLE, edge_shapes, edge_slopes};
 pub use elasticity::{Elasticity, PlaneState, STRAINS};
 pub use heat::{Capacity, Conduction};
 pub use quad4::Quad4;
 pub use quad8::Quad8;
 pub use quad9::Quad9;
-pub use sampled::{GradientProducts, Sampled, SampledPoint};
+pub use sampled::{GradientProducts, HoopProducts, Sampled, SampledPoint};
+pub use thickness::Thickness;
 pub use tri3::Tri3;
 pub use tri6::Tri6;
 

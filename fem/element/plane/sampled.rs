@@ -1,7 +1,7 @@
 //! An element's shape functions at its quadrature points, and integrals over one element.
 
 use super::quadrature::Point;
-use super::{MAX_NODES, PlaneElement};
+use super::{MAX_NODES, PlaneElement, Thickness};
 
 /// The shape functions at one quadrature point.
 #[derive(Clone, Copy, Debug)]
@@ -20,17 +20,29 @@ pub struct Sampled {
     points: Vec<SampledPoint>,
 }
 
-/// The integrals ∫ ∂Nₐ/∂xᵢ ∂N_b/∂xⱼ dA (no unit) over one element, from which both the stiffness of an
-/// isotropic material and the conduction matrix are combined. `xy[a][b]` has the x-derivative at a; yx is its
-/// transpose.
+/// The integrals ∫ ∂Nₐ/∂xᵢ ∂N_b/∂xⱼ w dA (no unit; of a body of revolution m) over one element, w the weight of its
+/// thickness, from which both the stiffness of an isotropic material and the conduction matrix are combined. `xy[a][b]`
+/// has the x-derivative at a; yx is its transpose.
 #[derive(Clone, Debug)]
 pub struct GradientProducts {
-    /// ∫ ∂Nₐ/∂x ∂N_b/∂x dA.
+    /// ∫ ∂Nₐ/∂x ∂N_b/∂x w dA.
     pub xx: [[f64; MAX_NODES]; MAX_NODES],
-    /// ∫ ∂Nₐ/∂x ∂N_b/∂y dA.
+    /// ∫ ∂Nₐ/∂x ∂N_b/∂y w dA.
     pub xy: [[f64; MAX_NODES]; MAX_NODES],
-    /// ∫ ∂Nₐ/∂y ∂N_b/∂y dA.
+    /// ∫ ∂Nₐ/∂y ∂N_b/∂y w dA.
     pub yy: [[f64; MAX_NODES]; MAX_NODES],
+}
+
+/// The integrals (m) over one element of a body of revolution with the hoops Hₐ = Nₐ/y, from which its stiffness is made
+/// up beside the products of gradients.
+#[derive(Clone, Debug)]
+pub struct HoopProducts {
+    /// ∫ Hₐ H_b y dA.
+    pub hoops: [[f64; MAX_NODES]; MAX_NODES],
+    /// ∫ Hₐ ∂N_b/∂x y dA.
+    pub x: [[f64; MAX_NODES]; MAX_NODES],
+    /// ∫ Hₐ ∂N_b/∂y y dA.
+    pub y: [[f64; MAX_NODES]; MAX_NODES],
 }
 
 /// Jacobian ∂(x, y)/∂(ξ, η) of an element at a point: `[[x_ξ, x_η], [y_ξ, y_η]]` (m).
@@ -90,6 +102,20 @@ impl Sampled {
         }
     }
 
+    /// ∫ f w dA in the same way, w the weight of the thickness; `add(w dA, y, N, ∂N/∂x, ∂N/∂y)`, y the coordinate (m) of
+    /// the quadrature point.
+    pub fn integrate_weighted(
+        &self,
+        thickness: Thickness,
+        coordinates: &[[f64; 2]],
+        mut add: impl FnMut(f64, f64, &[f64; MAX_NODES], &[f64; MAX_NODES], &[f64; MAX_NODES]),
+    ) {
+        self.integrate(coordinates, |da, shapes, along_x, along_y| {
+            let y: f64 = shapes.iter().zip(coordinates).map(|(shape, node)| shape * node[1]).sum();
+            add(da * thickness.weight(y), y, shapes, along_x, along_y);
+        });
+    }
+
     /// Area of the element, m².
     pub fn area(&self, coordinates: &[[f64; 2]]) -> f64 {
         let mut area = 0.0;
@@ -97,14 +123,21 @@ impl Sampled {
         area
     }
 
+    /// ∫ w dA: the area (m²), or of a body of revolution the volume over 2π (m³).
+    pub fn extent(&self, thickness: Thickness, coordinates: &[[f64; 2]]) -> f64 {
+        let mut extent = 0.0;
+        self.integrate_weighted(thickness, coordinates, |own, _, _, _, _| extent += own);
+        extent
+    }
+
     /// The products of gradients, see [`GradientProducts`].
-    pub fn gradient_products(&self, coordinates: &[[f64; 2]]) -> GradientProducts {
+    pub fn gradient_products(&self, thickness: Thickness, coordinates: &[[f64; 2]]) -> GradientProducts {
         let zero = [[0.0; MAX_NODES]; MAX_NODES];
         let mut products = GradientProducts { xx: zero, xy: zero, yy: zero };
         let nodes = self.element.nodes();
-        self.integrate(coordinates, |da, _, along_x, along_y| {
+        self.integrate_weighted(thickness, coordinates, |own, _, _, along_x, along_y| {
             for a in 0..nodes {
-                let (x, y) = (along_x[a] * da, along_y[a] * da);
+                let (x, y) = (along_x[a] * own, along_y[a] * own);
                 for b in 0..nodes {
                     products.xx[a][b] += x * along_x[b];
                     products.xy[a][b] += x * along_y[b];
@@ -115,18 +148,43 @@ impl Sampled {
         products
     }
 
-    /// ∫ Nₐ N_b dA (m²).
-    pub fn shape_products(&self, coordinates: &[[f64; 2]]) -> [[f64; MAX_NODES]; MAX_NODES] {
-        let mut products = [[0.0; MAX_NODES]; MAX_NODES];
+    /// The products of hoops of a body of revolution, see [`HoopProducts`].
+    pub fn hoop_products(&self, coordinates: &[[f64; 2]]) -> HoopProducts {
+        let zero = [[0.0; MAX_NODES]; MAX_NODES];
+        let mut products = HoopProducts { hoops: zero, x: zero, y: zero };
         let nodes = self.element.nodes();
-        self.integrate(coordinates, |da, shapes, _, _| {
+        let thickness = Thickness::Revolved;
+        self.integrate_weighted(thickness, coordinates, |own, y, shapes, along_x, along_y| {
+            let hoops = thickness.hoops(shapes, y).map(|hoop| hoop * own);
             for a in 0..nodes {
                 for b in 0..nodes {
-                    products[a][b] += shapes[a] * shapes[b] * da;
+                    products.hoops[a][b] += hoops[a] * shapes[b] / y;
+                    products.x[a][b] += hoops[a] * along_x[b];
+                    products.y[a][b] += hoops[a] * along_y[b];
                 }
             }
         });
         products
+    }
+
+    /// ∫ Nₐ N_b w dA (m²; of a body of revolution m³).
+    pub fn shape_products(&self, thickness: Thickness, coordinates: &[[f64; 2]]) -> [[f64; MAX_NODES]; MAX_NODES] {
+        let mut products = [[0.0; MAX_NODES]; MAX_NODES];
+        let nodes = self.element.nodes();
+        self.integrate_weighted(thickness, coordinates, |own, _, shapes, _, _| {
+            for a in 0..nodes {
+                for b in 0..nodes {
+                    products[a][b] += shapes[a] * shapes[b] * own;
+                }
+            }
+        });
+        products
+    }
+
+    /// The point of the element (m) at the reference point `at`.
+    pub fn point_at(&self, coordinates: &[[f64; 2]], at: [f64; 2]) -> [f64; 2] {
+        let shapes = self.element.shapes(at);
+        [0, 1].map(|axis| shapes.iter().zip(coordinates).map(|(shape, node)| shape * node[axis]).sum())
     }
 
     /// Gradients at the reference point `at`: (∂Nₐ/∂x of all nodes, ∂Nₐ/∂y of all nodes), 1/m.

@@ -21,10 +21,21 @@ fn steel(state: PlaneState) -> Elasticity {
     Elasticity::new(state, 210e9, 0.3, 11.5e-6, 0.02).unwrap()
 }
 
+/// Plane laws, and that of a body of revolution.
+fn laws() -> [Elasticity; 3] {
+    [steel(PlaneState::Stress), steel(PlaneState::Strain), Elasticity::revolved(210e9, 0.3, 11.5e-6).unwrap()]
+}
+
+/// The distorted element, of a body of revolution clear of its axis.
+fn placed(law: &Elasticity, element: &dyn PlaneElement) -> Vec<[f64; 2]> {
+    let radius = if law.thickness().is_revolved() { 2.5 } else { 0.0 };
+    distorted(element).into_iter().map(|[x, y]| [x, y + radius]).collect()
+}
+
 /// Force on every degree of freedom: K u.
 fn forces(law: &Elasticity, element: &'static dyn PlaneElement, motion: &[[f64; 2]]) -> Vec<f64> {
     let mut square = [[[[0.0; 2]; 2]; MAX_NODES]; MAX_NODES];
-    law.stiffness(&Sampled::new(element), &distorted(element), &mut square);
+    law.stiffness(&Sampled::new(element), &placed(law, element), &mut square);
     let freedom = |a: usize, i: usize| -> f64 {
         (0..motion.len()).map(|b| square[a][b][i][0] * motion[b][0] + square[a][b][i][1] * motion[b][1]).sum()
     };
@@ -119,9 +130,8 @@ fn area_is_positive_and_that_of_the_boundary() {
 #[test]
 fn stiffness_is_symmetric_and_rigid_motion_needs_no_force() {
     for element in ALL {
-        for state in [PlaneState::Stress, PlaneState::Strain] {
-            let law = steel(state);
-            let coordinates = distorted(*element);
+        for law in laws() {
+            let coordinates = placed(&law, *element);
             let mut square = [[[[0.0; 2]; 2]; MAX_NODES]; MAX_NODES];
             law.stiffness(&Sampled::new(*element), &coordinates, &mut square);
             let size = square[0][0][0][0];
@@ -133,7 +143,11 @@ fn stiffness_is_symmetric_and_rigid_motion_needs_no_force() {
                     }
                 }
             }
-            let rigid: Vec<[f64; 2]> = coordinates.iter().map(|[x, y]| [0.3 - 0.2 * y, -0.1 + 0.2 * x]).collect();
+            let rigid = |[x, y]: &[f64; 2]| match law.thickness().is_revolved() {
+                true => [0.3, 0.0],
+                false => [0.3 - 0.2 * y, -0.1 + 0.2 * x],
+            };
+            let rigid: Vec<[f64; 2]> = coordinates.iter().map(rigid).collect();
             for force in forces(&law, *element, &rigid) {
                 assert!(force.abs() < 1e-13 * size, "{element:?}: {force} of {size}");
             }
@@ -143,21 +157,26 @@ fn stiffness_is_symmetric_and_rigid_motion_needs_no_force() {
 
 #[test]
 fn forces_and_energy_of_a_constant_strain_are_exact() {
-    let strain = [1e-4, -3e-4, 2e-4];
-    for element in ALL {
-        let law = steel(PlaneState::Stress);
-        let coordinates = distorted(*element);
+    for (element, law) in ALL.iter().flat_map(|element| laws().map(|law| (element, law))) {
+        let is_revolved = law.thickness().is_revolved();
+        // What widens evenly stretches as much around.
+        let strain = [1e-4, -3e-4, 2e-4, if is_revolved { -3e-4 } else { 0.0 }];
+        let share = if is_revolved { [1.0, 0.0] } else { [0.3, 0.7] };
+        let coordinates = placed(&law, *element);
         let sampled = Sampled::new(*element);
-        let stretch = |&[x, y]: &[f64; 2]| [strain[0] * x + 0.3 * strain[2] * y, strain[1] * y + 0.7 * strain[2] * x];
+        let stretch =
+            |&[x, y]: &[f64; 2]| [strain[0] * x + share[0] * strain[2] * y, strain[1] * y + share[1] * strain[2] * x];
         let motion: Vec<[f64; 2]> = coordinates.iter().map(stretch).collect();
         for at in places(*element) {
-            let found = Elasticity::strain_at(&sampled, &coordinates, &motion, at);
+            let found = law.strain_at(&sampled, &coordinates, &motion, at);
             for (found, expected) in found.into_iter().zip(strain) {
-                assert!((found - expected).abs() < 1e-16 * 100.0, "{element:?} {at:?}: {found} {expected}");
+                assert!((found - expected).abs() < 1e-14 * 2.5, "{element:?} {at:?}: {found} {expected}");
             }
         }
         let work: f64 = forces(&law, *element, &motion).iter().zip(motion.as_flattened()).map(|(f, u)| f * u).sum();
-        let energy = law.energy_density(strain) * sampled.area(&coordinates) * law.thickness();
+        let volume = sampled.extent(law.thickness(), &coordinates) * law.thickness().scale();
+        let energy = law.energy_density(strain) * volume;
+        // Of curved elements the volume of revolution is beyond the quadrature's degree by little.
         assert!((0.5 * work - energy).abs() < 1e-12 * energy, "{element:?}: {work} {energy}");
     }
 }
@@ -165,21 +184,22 @@ fn forces_and_energy_of_a_constant_strain_are_exact() {
 #[test]
 fn only_rigid_motions_have_no_energy() {
     for element in ALL {
-        let mut square = [[[[0.0; 2]; 2]; MAX_NODES]; MAX_NODES];
-        steel(PlaneState::Stress).stiffness(&Sampled::new(*element), &distorted(*element), &mut square);
-        let size = 2 * element.nodes();
-        let matrix = nalgebra::DMatrix::from_fn(size, size, |i, j| square[i / 2][j / 2][i % 2][j % 2]);
-        let values = matrix.symmetric_eigenvalues();
-        let loose = values.iter().filter(|value| value.abs() < 1e-9 * values.max()).count();
-        assert_eq!(loose, 3, "{element:?}: {values}");
+        for law in laws() {
+            let mut square = [[[[0.0; 2]; 2]; MAX_NODES]; MAX_NODES];
+            law.stiffness(&Sampled::new(*element), &placed(&law, *element), &mut square);
+            let size = 2 * element.nodes();
+            let matrix = nalgebra::DMatrix::from_fn(size, size, |i, j| square[i / 2][j / 2][i % 2][j % 2]);
+            let values = matrix.symmetric_eigenvalues();
+            let loose = values.iter().filter(|value| value.abs() < 1e-9 * values.max()).count();
+            assert_eq!(loose, if law.thickness().is_revolved() { 1 } else { 3 }, "{element:?}: {values}");
+        }
     }
 }
 
 #[test]
 fn stress_is_the_derivative_of_energy() {
-    let strain = [2e-4, -1e-4, 3e-4];
-    for state in [PlaneState::Stress, PlaneState::Strain] {
-        let law = steel(state);
+    let strain = [2e-4, -1e-4, 3e-4, 1.5e-4];
+    for law in laws() {
         let stress = law.stress(strain, 0.0);
         for component in 0..STRAINS {
             let energy = |step: f64| {
@@ -188,16 +208,16 @@ fn stress_is_the_derivative_of_energy() {
                 law.energy_density(moved)
             };
             let slope = (energy(1e-6) - energy(-1e-6)) / 2e-6;
-            assert!((slope - stress[component]).abs() < 1e-6 * stress[component].abs(), "{state:?} {component}");
+            assert!((slope - stress[component]).abs() <= 1e-6 * stress[component].abs(), "{law:?} {component}");
         }
     }
 }
 
 #[test]
 fn a_warm_free_element_has_no_stress() {
-    for element in ALL {
-        let law = steel(PlaneState::Stress);
-        let (sampled, coordinates) = (Sampled::new(*element), distorted(*element));
+    let [stress, _, revolved] = laws();
+    for (element, law) in ALL.iter().flat_map(|element| [(element, stress), (element, revolved)]) {
+        let (sampled, coordinates) = (Sampled::new(*element), placed(&law, *element));
         let grown: Vec<[f64; 2]> = coordinates.iter().map(|&[x, y]| [11.5e-6 * 40.0 * x, 11.5e-6 * 40.0 * y]).collect();
         let thermal = law.thermal_forces(&sampled, &coordinates, &[40.0; MAX_NODES]);
         let held = forces(&law, *element, &grown);
@@ -205,23 +225,44 @@ fn a_warm_free_element_has_no_stress() {
         for (held, thermal) in held.iter().zip(thermal.as_flattened()) {
             assert!((held - thermal).abs() < 1e-12 * size, "{element:?}");
         }
-        let strain = Elasticity::strain_at(&sampled, &coordinates, &grown, [0.2, 0.3]);
+        let strain = law.strain_at(&sampled, &coordinates, &grown, [0.2, 0.3]);
         assert!(law.stress(strain, 40.0).iter().all(|stress| stress.abs() < 1.0), "{element:?}");
+    }
+}
+
+/// Σ fₐ·u of a rise on a motion is Σ wₐ·ΔTₐ of the motion's work on it.
+#[test]
+fn thermal_forces_work_as_their_rises_do() {
+    for (element, law) in ALL.iter().flat_map(|element| laws().map(|law| (element, law))) {
+        let (sampled, coordinates) = (Sampled::new(*element), placed(&law, *element));
+        let (mut rises, mut motion) = ([0.0; MAX_NODES], [[0.0; 2]; MAX_NODES]);
+        for a in 0..element.nodes() {
+            rises[a] = 10.0 + (3 * a) as f64 % 7.0;
+            motion[a] = [1e-6 * ((5 * a) as f64 % 11.0), 1e-6 * ((7 * a) as f64 % 13.0)];
+        }
+        let forces = law.thermal_forces(&sampled, &coordinates, &rises);
+        let by_force: f64 = forces.as_flattened().iter().zip(motion.as_flattened()).map(|(f, u)| f * u).sum();
+        let works = law.thermal_work(&sampled, &coordinates, &motion);
+        let by_rise: f64 = works.iter().zip(rises).map(|(w, rise)| w * rise).sum();
+        assert!((by_force - by_rise).abs() < 1e-12 * by_force.abs(), "{element:?}: {by_force} {by_rise}");
     }
 }
 
 #[test]
 fn heat_is_conserved() {
-    let law = Conduction { conductivity: 45.0, heat_capacity: 3.6e6, thickness: 0.02 };
-    for element in ALL {
-        let (sampled, coordinates) = (Sampled::new(*element), distorted(*element));
+    for (element, revolved) in ALL.iter().flat_map(|element| [(element, false), (element, true)]) {
+        let thickness = if revolved { Thickness::Revolved } else { Thickness::Uniform(0.02) };
+        let law = Conduction { conductivity: 45.0, heat_capacity: 3.6e6, thickness };
+        let raise = if revolved { 2.5 } else { 0.0 };
+        let coordinates: Vec<[f64; 2]> = distorted(*element).into_iter().map(|[x, y]| [x, y + raise]).collect();
+        let sampled = Sampled::new(*element);
         let mut square = [[[[0.0]]; MAX_NODES]; MAX_NODES];
         law.conductance(&sampled, &coordinates, &mut square);
         for a in 0..element.nodes() {
             let row: f64 = square[a].iter().map(|block| block[0][0]).sum();
             assert!(row.abs() < 1e-13 * square[0][0][0][0], "{element:?}");
         }
-        let whole = law.heat_capacity * law.thickness * sampled.area(&coordinates);
+        let whole = law.heat_capacity * thickness.scale() * sampled.extent(thickness, &coordinates);
         for kind in [Capacity::Consistent, Capacity::Lumped] {
             law.capacity(kind, &sampled, &coordinates, &mut square);
             let sum: f64 = square.iter().flatten().map(|block| block[0][0]).sum();
@@ -231,15 +272,27 @@ fn heat_is_conserved() {
     }
 }
 
+/// By Pappus the volume is that of the area on the way of its centre; so is the surface that of a side.
+#[test]
+fn volume_and_surface_of_revolution_are_those_of_the_centre() {
+    let coordinates = [[1.0, 2.0], [3.0, 2.0], [3.0, 3.0], [1.0, 3.0]];
+    let volume = Sampled::new(&Quad4).extent(Thickness::Revolved, &coordinates) * Thickness::Revolved.scale();
+    assert!((volume - std::f64::consts::TAU * 2.5 * 2.0).abs() < 1e-12, "{volume}");
+    let side = EdgeCurve::new(&[[1.0, 2.0], [4.0, 6.0]]);
+    let surface: f64 = side.shape_integrals(Thickness::Revolved, WHOLE).iter().sum();
+    assert!((surface - 4.0 * 5.0).abs() < 1e-12, "{surface}");
+}
+
 #[test]
 fn edge_integrals_are_those_of_the_curve() {
+    let thickness = Thickness::Uniform(1.0);
     for nodes in [[[1.0, 0.0], [1.0, 2.0]].as_slice(), &[[1.0, 0.0], [1.0, 2.0], [1.0, 1.0]]] {
         let edge = EdgeCurve::new(nodes);
         assert!((edge.length() - 2.0).abs() < 1e-15);
-        let pressed = edge.pressure_forces().iter().fold([0.0, 0.0], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
+        let pressed = edge.pressure_forces(thickness).iter().fold([0.0, 0.0], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
         assert!((pressed[0] + 2.0).abs() < 1e-15 && pressed[1].abs() < 1e-15, "{pressed:?}");
-        let half: f64 = edge.shape_integrals(0.0, 1.0).iter().sum();
-        let whole: f64 = edge.shape_products().iter().flatten().sum();
+        let half: f64 = edge.shape_integrals(thickness, [0.0, 1.0]).iter().sum();
+        let whole: f64 = edge.shape_products(thickness).iter().flatten().sum();
         assert!((half - 1.0).abs() < 1e-15 && (whole - 2.0).abs() < 1e-15);
     }
 }

@@ -45,9 +45,9 @@ impl Layout {
         let is_taken = self.coordinates.iter().any(|c| c.name == own.name);
         let name = if is_taken { format!("{} of {process}", own.name).into() } else { own.name.clone() };
         let absent = match own.absent {
-            Absent::NeededBy(observable) => Absent::NeededBy(first + observable),
+            Absent::NeededBy(from, to) => Absent::NeededBy(first + from, first + to),
             Absent::NeededBut(observable) => Absent::NeededBut(first + observable),
-            Absent::ModelOf(observable) => Absent::ModelOf(first + observable),
+            Absent::ModelOf(from, to) => Absent::ModelOf(first + from, first + to),
             other => other,
         };
         self.coordinates.push(Coordinate { name, absent, actual: own.actual.map(|o| first + o), ..own.clone() });

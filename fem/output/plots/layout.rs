@@ -69,7 +69,7 @@ impl Layout {
         // The abscissa is what every row must say; the others stay in the order of the process.
         let needed = |i: usize| match coordinates[i].absent {
             Absent::Refused | Absent::NeededBut(_) if !is_word(&coordinates[i]) => 0,
-            Absent::NeededBy(_) => 1,
+            Absent::NeededBy(..) => 1,
             _ => 2,
         };
         let first = (0..found.len()).min_by_key(|at| (needed(found[*at].0), found[*at].0))?;

@@ -1,8 +1,10 @@
 //! The shape of a heated body.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::element::plane::Quad8;
+use super::revolved;
+use crate::element::plane::{Quad8, Thickness};
 use crate::input::Reader;
 use crate::mesh::{Grading, Mesh, RectangleMesh};
 use crate::process::Segment;
@@ -11,7 +13,7 @@ use crate::units::LENGTH;
 /// Elements along a body where nobody says, and at most.
 const ALONG_ROD: [f64; 2] = [60.0, 20_000.0];
 const ALONG_PLANE: [f64; 2] = [40.0, 2_000.0];
-/// Most elements of a rectangle: its factor takes some 300 MB.
+/// Most elements of a plane body: its factor takes some 300 MB.
 pub const MOST_CELLS: f64 = 60_000.0;
 /// Least number of elements across a rectangle.
 const ACROSS: usize = 4;
@@ -21,40 +23,48 @@ const ACROSS: usize = 4;
 pub enum Body {
     /// Round lengths one after another, from the base on.
     Rod(Vec<Segment>),
-    /// A sheet in the plane x, y.
+    /// A body in the plane x, y: a sheet, or the half section of a body of revolution.
     Plane(Plane),
 }
 
-/// A plane body of even width.
+/// A body in a plane.
 #[derive(Clone, Debug)]
 pub struct Plane {
-    /// Length along x and height along y of a rectangle with a corner at the origin, m; `None` for a mesh
-    /// from a file.
-    pub size: Option<[f64; 2]>,
-    /// Width across the plane, m.
-    pub width: f64,
-    /// Mesh from a file.
-    pub mesh: Option<Arc<Mesh>>,
+    /// Its outline in the plane.
+    pub outline: Outline,
+    /// The body across the plane.
+    pub thickness: Thickness,
+}
+
+/// Outline of a body in a plane.
+#[derive(Clone, Debug)]
+pub enum Outline {
+    /// Length along x and height along y of a rectangle with a corner at the origin, m.
+    Rectangle([f64; 2]),
+    /// A mesh from a file.
+    Mesh(Arc<Mesh>),
+    /// The half section of round lengths one after another: x along their axis, y the radius.
+    Revolved(Vec<Segment>),
 }
 
 impl Body {
-    /// Reads `segments`, `rectangle` or `file` of a table.
+    /// Reads `segments`, `rectangle`, `revolved` or `file` of a table.
     pub fn read(t: &Reader) -> Self {
         let segments = t.list("segments", "a rod: uniform lengths from its base", Segment::read);
         let rectangle = t.optional_table("rectangle", "a plane body with its corner at x = y = 0", |t| Plane {
-            size: Some([
+            outline: Outline::Rectangle([
                 t.quantity("length", LENGTH, "along x").positive().required(),
                 t.quantity("height", LENGTH, "along y").positive().required(),
             ]),
-            width: t.quantity("width", LENGTH, "across the plane").positive().required(),
-            mesh: None,
+            thickness: Thickness::Uniform(t.quantity("width", LENGTH, "across the plane").positive().required()),
         });
+        let walls = revolved::read(t);
         let mesh = Mesh::read(t);
         let width = t.quantity("width", LENGTH, "across the plane, of a mesh from a file").positive().optional();
-        let given = [!segments.is_empty(), rectangle.is_some(), t.has("file")];
+        let given = [!segments.is_empty(), rectangle.is_some(), !walls.is_empty(), t.has("file")];
         if given.iter().filter(|g| **g).count() != 1 && !t.is_described() {
-            let help = "give one of segments = [{ length, diameter }] (a rod), rectangle = { length, height, width } \
-                        and file = \"plate.msh\"";
+            let help = "give one of segments = [{ length, diameter }] (a rod), rectangle = { length, height, width }, \
+                        revolved = [{ length, diameter, bore }] (a body of revolution) and file = \"plate.msh\"";
             t.problem("segments", "a body has one shape", help);
         }
         if t.has("file") && width.is_none() {
@@ -62,7 +72,13 @@ impl Body {
         }
         match (rectangle, mesh) {
             (Some(plane), _) => Self::Plane(plane),
-            (None, Some(mesh)) => Self::Plane(Plane { size: None, width: width.unwrap_or(f64::NAN), mesh: Some(mesh) }),
+            (None, Some(mesh)) => {
+                let thickness = Thickness::Uniform(width.unwrap_or(f64::NAN));
+                Self::Plane(Plane { outline: Outline::Mesh(mesh), thickness })
+            }
+            (None, None) if !walls.is_empty() && segments.is_empty() => {
+                Self::Plane(Plane { outline: Outline::Revolved(walls), thickness: Thickness::Revolved })
+            }
             (None, None) => Self::Rod(segments),
         }
     }
@@ -80,7 +96,7 @@ impl Body {
         self.extent()[1]
     }
 
-    /// A plane body.
+    /// A body in a plane: a sheet, or a body of revolution.
     pub fn plane(&self) -> Option<&Plane> {
         match self {
             Self::Rod(_) => None,
@@ -88,17 +104,44 @@ impl Body {
         }
     }
 
+    /// The lengths of a body of revolution.
+    pub fn revolved(&self) -> Option<&[Segment]> {
+        match &self.plane()?.outline {
+            Outline::Revolved(walls) => Some(walls),
+            Outline::Rectangle(_) | Outline::Mesh(_) => None,
+        }
+    }
+
+    /// What it is called, with its article.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Rod(_) => "a rod",
+            Self::Plane(plane) if plane.thickness.is_revolved() => "a body of revolution",
+            Self::Plane(_) => "a plane body",
+        }
+    }
+
+    /// What many of it are called.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Rod(_) => "rods",
+            Self::Plane(plane) if plane.thickness.is_revolved() => "bodies of revolution",
+            Self::Plane(_) => "plane bodies",
+        }
+    }
+
     /// Whether it has a section at every x: a mesh from a file has none.
     pub fn has_sections(&self) -> bool {
-        self.plane().is_none_or(|plane| plane.size.is_some())
+        self.plane().is_none_or(|plane| !matches!(plane.outline, Outline::Mesh(_)))
     }
 
     /// Names of its edges.
     pub fn edges(&self) -> Vec<String> {
-        match self {
-            Self::Rod(_) => Vec::new(),
-            Self::Plane(Plane { mesh: Some(mesh), .. }) => mesh.names().map(str::to_string).collect(),
-            Self::Plane(_) => ["left", "right", "top", "bottom"].map(str::to_string).to_vec(),
+        let Some(plane) = self.plane() else { return Vec::new() };
+        match &plane.outline {
+            Outline::Mesh(mesh) => mesh.names().map(str::to_string).collect(),
+            Outline::Rectangle(_) => ["left", "right", "top", "bottom"].map(str::to_string).to_vec(),
+            Outline::Revolved(walls) => revolved::edges(walls),
         }
     }
 
@@ -108,51 +151,94 @@ impl Body {
         matches!(self, Self::Rod(_)) || ["left", "right"].iter().all(|end| edges.iter().any(|e| e == end))
     }
 
-    /// Number of elements of a rectangle none of which is longer than `size` (m), if it is one.
+    /// Number of elements none of which is longer than `size` (m), if the mesh is the program's own.
     pub fn cells(&self, size: f64) -> Option<f64> {
-        let [length, height] = self.plane()?.size?;
-        Some((length / size).ceil().max(1.0) * (height / size).ceil().max(ACROSS as f64))
+        match &self.plane()?.outline {
+            Outline::Rectangle([length, height]) => {
+                Some((length / size).ceil().max(1.0) * (height / size).ceil().max(ACROSS as f64))
+            }
+            Outline::Revolved(walls) => Some(revolved::mesh(walls, size, &[]).cells()),
+            Outline::Mesh(_) => None,
+        }
     }
 
-    /// Elements along it where nobody says, and at most.
-    pub fn elements(&self) -> [f64; 2] {
-        if matches!(self, Self::Rod(_)) { ALONG_ROD } else { ALONG_PLANE }
+    /// Longest element where nobody says, and the length of elements that would be too many, m.
+    pub fn sizes(&self) -> [f64; 2] {
+        let [usual, most] = if matches!(self, Self::Rod(_)) { ALONG_ROD } else { ALONG_PLANE };
+        let reach = self.revolved().map_or(self.length(), |walls| self.length().max(revolved::height(walls)));
+        [reach / usual, self.length() / most]
     }
 }
 
 impl Plane {
     /// Its smallest and largest coordinate along an axis, m.
     pub fn extent(&self, axis: usize) -> [f64; 2] {
-        match (&self.size, &self.mesh) {
-            (Some(size), _) => [0.0, size[axis]],
-            (None, Some(mesh)) => {
+        match &self.outline {
+            Outline::Rectangle(size) => [0.0, size[axis]],
+            Outline::Mesh(mesh) => {
                 let along = |range: [f64; 2], node: &[f64; 2]| [range[0].min(node[axis]), range[1].max(node[axis])];
                 mesh.nodes().iter().fold([f64::INFINITY, f64::NEG_INFINITY], along)
             }
-            (None, None) => [0.0, f64::NAN],
+            Outline::Revolved(walls) if axis == 0 => [0.0, walls.iter().map(|wall| wall.length).sum()],
+            Outline::Revolved(walls) => revolved::radii(walls),
         }
     }
 
-    /// Height at which it is looked at where nobody says, m: half way up.
+    /// Its smallest and largest y (m) at some x: of a body of revolution its radii there.
+    pub fn extent_at(&self, x: f64) -> [f64; 2] {
+        match &self.outline {
+            Outline::Revolved(walls) => revolved::radii_at(walls, x),
+            Outline::Rectangle(_) | Outline::Mesh(_) => self.extent(1),
+        }
+    }
+
+    /// Half way up a sheet, m.
     pub fn middle(&self) -> f64 {
         let [low, high] = self.extent(1);
         0.5 * (low + high)
+    }
+
+    /// y (m) at which it is looked at where nobody says: half way up a sheet, on the outside of a body of revolution.
+    pub fn usual_y(&self, x: f64) -> f64 {
+        if self.thickness.is_revolved() { self.extent_at(x)[1] } else { self.middle() }
+    }
+
+    /// Area of the section at its base, m².
+    pub fn base_area(&self) -> f64 {
+        let [low, high] = self.extent_at(0.0);
+        match self.thickness {
+            Thickness::Uniform(width) => (high - low) * width,
+            Thickness::Revolved => PI * (high * high - low * low),
+        }
+    }
+
+    /// Its thickness in pictures, m: a body of revolution is shown by a thin slice.
+    pub fn shown_thickness(&self) -> f64 {
+        /// Of the slice, as a part of the largest radius.
+        const SLICE: f64 = 0.05;
+        match self.thickness {
+            Thickness::Uniform(width) => width,
+            Thickness::Revolved => SLICE * self.extent(1)[1],
+        }
     }
 
     /// Its mesh: from the file, or 8-node quadrilaterals no longer than `size` (m), with borders of elements at these
     /// sections (m), where heat comes in and the temperature has a kink.
     ///
     /// # Errors
-    /// The rectangle cannot be meshed.
+    /// The outline cannot be meshed.
     pub fn mesh(&self, size: f64, sections: &[f64]) -> Result<Arc<Mesh>, String> {
-        if let Some(mesh) = &self.mesh {
-            return Ok(mesh.clone());
-        }
-        let [length, height] = self.size.unwrap_or([f64::NAN; 2]);
-        let cells = |extent: f64, least: usize| ((extent / size - 1e-9).ceil() as usize).max(least);
-        let columns = cells(length, 1).max(sections.len() + 1);
-        let uniform = RectangleMesh::uniform([length, height], [columns, cells(height, ACROSS)], &Quad8);
-        let along = Grading { toward: sections.to_vec(), ..Grading::uniform() };
-        RectangleMesh { along, ..uniform }.build().map(Arc::new).map_err(|error| error.to_string())
+        let mesh = match &self.outline {
+            Outline::Mesh(mesh) => return Ok(mesh.clone()),
+            Outline::Revolved(walls) => revolved::mesh(walls, size, sections).build(),
+            Outline::Rectangle([length, height]) => {
+                let cells = |extent: f64, least: usize| ((extent / size - 1e-9).ceil() as usize).max(least);
+                let columns = cells(*length, 1).max(sections.len() + 1);
+                let uniform = RectangleMesh::uniform([*length, *height], [columns, cells(*height, ACROSS)], &Quad8);
+                let along = Grading { toward: sections.to_vec(), ..Grading::uniform() };
+                RectangleMesh { along, ..uniform }.build()
+            }
+        };
+        mesh.map(Arc::new).map_err(|error| error.to_string())
     }
 }

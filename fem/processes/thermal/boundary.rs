@@ -1,4 +1,4 @@
-//! The table of what holds on an edge of a plane body.
+//! The table of what holds on an edge of a plane body or of a body of revolution.
 
 use super::body::Body;
 use super::source;
@@ -36,7 +36,12 @@ pub enum Condition {
 impl Boundary {
     /// Reads an edge and its condition; records of flux and temperatures must reach over the `run`.
     pub fn read(t: &Reader, body: &Body, run: Along) -> Self {
-        let edge = t.text("edge", "left, right, top or bottom, or the name of a physical group").unwrap_or_default();
+        let edge = t
+            .text(
+                "edge",
+                "left, right, top or bottom, of a body of revolution outside or bore, or the name of a physical group",
+            )
+            .unwrap_or_default();
         let names = body.edges();
         if !t.is_described() && !names.contains(&edge) {
             let help = match names.is_empty() {

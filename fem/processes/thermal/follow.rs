@@ -11,11 +11,19 @@ pub enum Look {
     Elongation,
     /// Rise of the middle of a plane body over its ends, upwards, m.
     Bow,
+    /// Change of the diameter of a circle of a body of revolution, m.
+    Diameter {
+        /// Distance of the circle from the left end, m.
+        x: f64,
+        /// Its radius, m.
+        y: f64,
+    },
     /// Rise of temperature at a place, K.
     Rise {
         /// Distance from the base, m.
         x: f64,
-        /// Height in a plane body, m; half way up where it is `None`. Rods have none.
+        /// Height in a plane body, m; half way up where it is `None`. Radius in a body of revolution, the outside where
+        /// it is `None`. Rods have none.
         y: Option<f64>,
     },
 }

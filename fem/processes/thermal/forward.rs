@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::follow::{Followed, Look, Watch};
 use super::machine::Machine;
-use super::rows::{ELONGATION, TIME_OF_ROW, X, Y};
+use super::rows::{DIAMETER, ELONGATION, TIME_OF_ROW, X, Y};
 use super::setup::{MOST_STEPS, Time};
 use super::steps::Reading;
 use super::{plate, rod};
@@ -11,13 +11,14 @@ use crate::process::{Failure, Rows};
 use crate::solve::conduction::Run;
 use crate::units::TIME;
 
-/// The elongation (m) or the temperature (K) of every row.
+/// The elongation (m), the temperature (K) or the change of a diameter (m) of every row.
 ///
 /// # Errors
 /// The body cannot be computed.
 pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     let look = |row: usize| match rows.observable[row] {
         ELONGATION => Look::Elongation,
+        DIAMETER => Look::Diameter { x: rows.get(X, row).unwrap_or(f64::NAN), y: rows.get(Y, row).unwrap_or(f64::NAN) },
         _ => Look::Rise { x: rows.get(X, row).unwrap_or(f64::NAN), y: rows.get(Y, row) },
     };
     let (looks, of_row) = numbered((0..rows.len()).map(look));
@@ -28,8 +29,11 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     let mut values = read(machine, &looks, &readings, &run)?;
     let commanded = |time: f64| machine.command.as_ref().map_or(0.0, |command| command.at(time, &[]));
     for (row, value) in values.iter_mut().enumerate() {
-        let is_elongation = rows.observable[row] == ELONGATION;
-        *value += if is_elongation { commanded(rows.columns[TIME_OF_ROW][row]) } else { machine.setup.start };
+        *value += match rows.observable[row] {
+            ELONGATION => commanded(rows.columns[TIME_OF_ROW][row]),
+            DIAMETER => 0.0,
+            _ => machine.setup.start,
+        };
     }
     Ok(values)
 }

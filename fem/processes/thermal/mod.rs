@@ -1,22 +1,24 @@
 //! Thermal: temperature and growth of a body that is heated, over time.
 //!
 //! A rod by one-dimensional conduction with sources at points, ρcA T_t = (kA T_x)_x − h p (T − T_a) +
-//! Σ Q δ, or a plane body by finite elements. The body is all at one temperature T₀ at the start, that of the
+//! Σ Q δ, or a plane body or a body of revolution by finite elements. The body is all at one temperature T₀ at the start, that of the
 //! surroundings unless it has its own; surfaces and ends are insulated unless an effect, or an edge of a
 //! plane body, opens them. The free end moves by ∫ α (T − T₀) dx [seed 002 (35)–(39)]; a plane body also
-//! bows where it is warmer above than below. The temperature of the surroundings and the power of a source
+//! bows where it is warmer above than below, and the diameters of a body of revolution change. The temperature of the surroundings and the power of a source
 //! may be records.
 
 mod advice;
 mod allowed;
 mod body;
 pub(crate) mod boundary;
+mod circles;
 mod effects;
 pub(crate) mod follow;
 pub(crate) mod forward;
 pub(crate) mod machine;
 mod plate;
 pub(crate) mod report;
+mod revolved;
 mod rod;
 pub(crate) mod rows;
 pub(crate) mod setup;

@@ -1,14 +1,16 @@
-//! A heated plane body.
+//! A heated body in a plane: a plate, or the half section of a body of revolution.
 
 use std::sync::Arc;
 
-use super::body::Plane;
+use super::body::{Outline, Plane};
 use super::boundary;
 use super::follow::{Followed, Look, Watch, unsolvable};
 use super::machine::Machine;
 use super::setup::Setup;
-use crate::element::plane::{Capacity, Conduction, Elasticity, PlaneState};
-use crate::mesh::Mesh;
+use super::source::Strip;
+use super::surroundings::Surroundings;
+use crate::element::plane::{Capacity, Conduction, Elasticity, PlaneState, Thickness, WHOLE};
+use crate::mesh::{Mesh, MeshError, Side};
 use crate::process::Failure;
 use crate::solve::conduction::{Condition, History, Instant, Run, ThermalSystem};
 use crate::solve::elastic::{ElasticSystem, Loads};
@@ -26,14 +28,13 @@ pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], run: &Run, watch
     let setup = &*machine.setup;
     let mesh = plane.mesh(setup.element_size, &sections(machine)).map_err(|e| unsolvable(&e))?;
     let mut mesh = Arc::unwrap_or_clone(mesh);
-    let taken: Vec<&str> = setup.boundaries.iter().filter(|b| !b.is_open()).map(|b| b.edge.as_str()).collect();
-    mesh.name_rest(FREE, &taken).map_err(|e| unsolvable(&e))?;
+    name_surfaces(&mut mesh, setup).map_err(|e| unsolvable(&e))?;
     let law = Conduction {
         conductivity: setup.material.conductivity,
         heat_capacity: setup.material.density * setup.material.specific_heat,
-        thickness: plane.width,
+        thickness: plane.thickness,
     };
-    let conditions = conditions(machine, plane, &mesh);
+    let conditions = conditions(machine, plane, &mesh)?;
     let system = ThermalSystem::new(&mesh, law, Capacity::Consistent, &conditions).map_err(|e| unsolvable(&e))?;
     let probes = probes(setup, plane, &mesh, looks)?;
     let switches: Vec<f64> = conditions.iter().flat_map(Condition::switches).collect();
@@ -49,7 +50,7 @@ pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], run: &Run, watch
 }
 
 /// Everything that heats and cools, as rises over the temperature at the start.
-fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Vec<Condition> {
+fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Result<Vec<Condition>, Failure> {
     let setup = &machine.setup;
     let around = machine.around();
     let rise = |own: &History| machine.rise(own);
@@ -73,25 +74,74 @@ fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Vec<Condition> {
         all.push(Condition::Convection { sides: FREE.into(), coefficient, ambient: ambient.clone() });
         all.push(Condition::Faces { coefficient, ambient });
     }
-    if let (true, Some([_, height])) = (machine.base > 0.0, plane.size) {
-        let coefficient = machine.base / (height * plane.width);
+    for (number, section) in setup.sections.iter().enumerate() {
+        let coefficient = section.coefficient.unwrap_or(machine.convection);
+        let ambient = rise(&section.temperature);
+        all.push(Condition::Convection { sides: around_section(number), coefficient, ambient });
+    }
+    if machine.base > 0.0 && !matches!(plane.outline, Outline::Mesh(_)) {
+        let coefficient = machine.base / plane.base_area();
         all.push(Condition::Convection { sides: "left".into(), coefficient, ambient: machine.around_base() });
     }
     for PointSource { at, power, .. } in &machine.sources {
-        all.push(Condition::Source { shares: section(mesh, *at), power: power.clone() });
+        all.push(Condition::Source { shares: section(mesh, plane.thickness, *at), power: power.clone() });
     }
-    all
+    for heated in &setup.strips {
+        all.push(Condition::Source { shares: strip(mesh, plane.thickness, heated)?, power: heated.power.clone() });
+    }
+    Ok(all)
 }
 
-/// Where heat comes in over a whole section, m.
+/// Name of the sides around which a section of the environment is.
+fn around_section(number: usize) -> String {
+    format!("section {number}")
+}
+
+/// Names the sides around which sections of the environment are, and what is left to the film of the surroundings.
+fn name_surfaces(mesh: &mut Mesh, setup: &Setup) -> Result<(), MeshError> {
+    let sections: Vec<String> = (0..setup.sections.len()).map(around_section).collect();
+    for (name, section) in sections.iter().zip(&setup.sections) {
+        let Surroundings { side, ends: [from, to], .. } = section;
+        mesh.name_part(name, side.edge(), |[x, _]| (*from..=*to).contains(&x))?;
+    }
+    let taken = setup.boundaries.iter().filter(|b| !b.is_open()).map(|b| b.edge.as_str());
+    mesh.name_rest(FREE, &taken.chain(sections.iter().map(String::as_str)).collect::<Vec<_>>())
+}
+
+/// Where heat comes in over a whole section, or what is around the body changes, m.
 pub fn sections(machine: &Machine) -> Vec<f64> {
-    machine.sources.iter().map(|source| source.at).collect()
+    let setup = &machine.setup;
+    let strips = setup.strips.iter().filter(|strip| strip.axis() == 0).flat_map(|strip| strip.ends);
+    let around = setup.sections.iter().flat_map(|section| section.ends);
+    machine.sources.iter().map(|source| source.at).chain(strips).chain(around).collect()
 }
 
-/// The section of a rectangle at x (m) as shares of its nodes, which sum to one: along it every element is
-/// crossed from bottom to top.
-fn section(mesh: &Mesh, x: f64) -> Vec<(usize, f64)> {
-    /// Gauss points along the way through an element, exact for its shape functions: (η, weight).
+/// A strip of the surface as shares of its nodes, which sum to one: those of an even flux. Shoulders, across the way of
+/// the strip, get none.
+fn strip(mesh: &Mesh, thickness: Thickness, strip: &Strip) -> Result<Vec<(usize, f64)>, Failure> {
+    let axis = strip.axis();
+    let mut shares = Vec::new();
+    for &side in mesh.sides(&strip.edge).map_err(|e| unsolvable(&e))? {
+        let curve = mesh.curve(side);
+        let [from, to] = [-1.0, 1.0].map(|s| curve.point(s)[axis]);
+        if from == to {
+            continue;
+        }
+        // Sides may run either way.
+        let [a, b] = strip.ends.map(|place| (2.0 * (place - from) / (to - from) - 1.0).clamp(-1.0, 1.0));
+        let own = curve.shape_integrals(thickness, [a.min(b), a.max(b)]);
+        shares.extend(mesh.side_nodes(side).as_slice().iter().zip(own).map(|(node, share)| (*node as usize, share)));
+    }
+    let whole: f64 = shares.iter().map(|(_, share)| share).sum();
+    shares.iter_mut().for_each(|(_, share)| *share /= whole);
+    Ok(shares)
+}
+
+/// The section at x (m) as shares of its nodes, which sum to one: along it every element, a rectangle, is crossed from
+/// bottom to top.
+fn section(mesh: &Mesh, thickness: Thickness, x: f64) -> Vec<(usize, f64)> {
+    /// Gauss points along the way through an element, exact for its shape functions, and for their product with the
+    /// radius: (η, weight).
     const POINTS: [(f64, f64); 2] = [(-0.577_350_269_189_625_8, 1.0), (0.577_350_269_189_625_8, 1.0)];
     let mut shares = Vec::new();
     let mut whole = 0.0;
@@ -106,7 +156,8 @@ fn section(mesh: &Mesh, x: f64) -> Vec<(usize, f64)> {
         let xi = (2.0 * (x - left) / (right - left) - 1.0).min(1.0);
         for (eta, weight) in POINTS {
             let shapes = element.kind.shapes([xi, eta]);
-            let part = 0.5 * weight * (high - low);
+            let y = 0.5 * (low + high + eta * (high - low));
+            let part = 0.5 * weight * (high - low) * thickness.weight(y);
             whole += part;
             shares.extend(element.nodes.iter().zip(shapes).map(|(n, shape)| (*n as usize, part * shape)));
         }
@@ -125,11 +176,12 @@ fn probes(setup: &Setup, plane: &Plane, mesh: &Mesh, looks: &[Look]) -> Result<V
     };
     let probe = |look: &Look| match (look, &elastic) {
         (Look::Rise { x, y }, _) => {
-            let point = [*x, y.unwrap_or(plane.middle())];
+            let point = [*x, y.unwrap_or(plane.usual_y(*x))];
             let place = mesh.locate(point).ok_or_else(|| off_body(point))?;
             Ok(Probe { weights: place.shares })
         }
         (Look::Elongation, Some(elastic)) => weighed(elastic, pulled(mesh, elastic.law())?),
+        (Look::Diameter { x, y }, Some(elastic)) => weighed(elastic, widened(mesh, [*x, *y])?),
         (Look::Bow, Some(elastic)) => weighed(elastic, bent(mesh, plane)?),
         (_, None) => Ok(Probe { weights: Vec::new() }),
     };
@@ -143,13 +195,17 @@ fn probes(setup: &Setup, plane: &Plane, mesh: &Mesh, looks: &[Look]) -> Result<V
 pub fn elasticity(setup: &Setup, plane: &Plane) -> Result<Elasticity, Failure> {
     let material = &setup.material;
     let (e, nu) = (material.youngs_modulus, material.poisson_ratio);
-    Elasticity::new(PlaneState::Stress, e, nu, material.expansion, plane.width).map_err(|e| unsolvable(&e))
+    let law = match plane.thickness {
+        Thickness::Uniform(width) => Elasticity::new(PlaneState::Stress, e, nu, material.expansion, width),
+        Thickness::Revolved => Elasticity::revolved(e, nu, material.expansion),
+    };
+    law.map_err(|e| unsolvable(&e))
 }
 
 fn off_body([x, y]: [f64; 2]) -> Failure {
     Failure {
         message: format!("the place x = {:.3}, y = {:.3} is not on the body", LENGTH.shown(x), LENGTH.shown(y)),
-        help: "give places on it; y is half way up where it is left out".into(),
+        help: "give places on it; where y is left out it is half way up, of a body of revolution on its outside".into(),
     }
 }
 
@@ -168,10 +224,20 @@ fn pulled(mesh: &Mesh, law: &Elasticity) -> Result<Loads, Failure> {
             message: format!("the elongation is that from edge left to edge right, and the mesh has no `{edge}`"),
             help: "name both ends in the mesh as physical groups, or observe temperatures alone".into(),
         })?;
-        let length: f64 = sides.iter().map(|side| mesh.curve(*side).length()).sum();
-        let pressure = sign / (length * law.thickness());
+        let thickness = law.thickness();
+        let own = |side: &Side| mesh.curve(*side).shape_integrals(thickness, WHOLE).iter().sum::<f64>();
+        let area = thickness.scale() * sides.iter().map(own).sum::<f64>();
+        let pressure = sign / area;
         loads.add_traction(mesh, law, edge, [pressure, 0.0]).map_err(|e| unsolvable(&e))?;
     }
+    Ok(loads)
+}
+
+/// Two newtons all around a circle: they work on the mean of its diameters, twice the change of its radius.
+fn widened(mesh: &Mesh, circle: [f64; 2]) -> Result<Loads, Failure> {
+    let mut loads = Loads::none(mesh);
+    let place = mesh.locate(circle).ok_or_else(|| off_body(circle))?;
+    place.shares.iter().for_each(|(node, share)| loads.add_force(*node, [0.0, 2.0 * share]));
     Ok(loads)
 }
 

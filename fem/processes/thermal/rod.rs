@@ -135,7 +135,7 @@ fn probe(system: &RodSystem, machine: &Machine, look: Look) -> Probe {
             whole
         }
         Look::Rise { x, .. } => system.at(x),
-        // A rod that is as warm above as below stays straight.
-        Look::Bow => Probe { weights: Vec::new() },
+        // A rod that is as warm above as below stays straight, and its diameter is nothing that is looked at.
+        Look::Bow | Look::Diameter { .. } => Probe { weights: Vec::new() },
     }
 }

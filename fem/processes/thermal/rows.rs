@@ -1,4 +1,5 @@
-//! Measurements of a heated body: how far its end has moved, and temperatures at places, over time.
+//! Measurements of a heated body: how far its end has moved, temperatures at places, and how diameters have changed, over
+//! time.
 
 use super::setup::Setup;
 use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Limit, Misplaced, Observable, Rows, Values};
@@ -8,11 +9,13 @@ use crate::units::{LENGTH, MICRO, TEMPERATURE, TIME};
 pub const OBSERVABLES: &[Observable] = &[
     Observable::new("elongation", "the elongation", MICRO).sensed(),
     Observable::new("temperature", "temperatures", TEMPERATURE).sensed(),
+    Observable::new("diameter", "diameters", MICRO).sensed(),
 ];
 
 /// Positions in [`OBSERVABLES`].
 pub const ELONGATION: usize = 0;
 pub const TEMPERATURE_OF_ROW: usize = 1;
+pub const DIAMETER: usize = 2;
 
 /// Positions in [`COORDINATES`].
 pub const TIME_OF_ROW: usize = 0;
@@ -24,15 +27,15 @@ pub const COORDINATES: &[Coordinate] = &[
     Coordinate::new("time", "since the start of the run", Holds::Quantity(TIME), Absent::Refused),
     Coordinate::new(
         "x",
-        "from the base, where a temperature is measured",
+        "from the base, where a temperature or the change of a diameter is measured",
         Holds::Quantity(LENGTH),
-        Absent::NeededBy(TEMPERATURE_OF_ROW),
+        Absent::NeededBy(TEMPERATURE_OF_ROW, DIAMETER),
     ),
     Coordinate::new(
         "y",
-        "height in a plane body; half way up if left out",
+        "height in a plane body, half way up if left out; radius in a body of revolution, its outside if left out",
         Holds::Quantity(LENGTH),
-        Absent::ModelOf(TEMPERATURE_OF_ROW),
+        Absent::ModelOf(TEMPERATURE_OF_ROW, DIAMETER),
     ),
 ];
 
@@ -43,6 +46,10 @@ pub fn limit(setup: &Setup, observable: usize) -> Limit {
     let [from, to] = setup.body.extent();
     let (size, why) = match observable {
         ELONGATION => (to - from, "no body grows by its own length"),
+        DIAMETER => {
+            let largest = setup.body.plane().map_or(f64::INFINITY, |plane| 2.0 * plane.extent(1)[1]);
+            (largest, "no body grows by its own diameter")
+        }
         _ => (HOTTEST, "no body stands that"),
     };
     Limit { size, why, help: "check powers, fluxes and dimensions: a unit may be wrong" }
@@ -50,7 +57,7 @@ pub fn limit(setup: &Setup, observable: usize) -> Limit {
 
 /// Rows before the start, or beside the body.
 pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
-    let across = setup.body.plane().map(|plane| plane.extent(1));
+    let plane = setup.body.plane();
     let outside = |row: usize, coordinate: usize, [low, high]: [f64; 2]| {
         let slack = 1e-9 * (high - low);
         let is_outside = rows.get(coordinate, row).is_some_and(|v| v < low - slack || v > high + slack);
@@ -70,8 +77,13 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
             let message = "the elongation is that from edge left to edge right, and the mesh does not name both";
             return Some((TIME_OF_ROW, message.into()));
         }
-        outside(row, X, setup.body.extent()).or_else(|| match across {
-            Some(across) => outside(row, Y, across),
+        if rows.observable[row] == DIAMETER && setup.body.revolved().is_none() {
+            let message =
+                format!("the change of a diameter is that of a body of revolution, not of {}", setup.body.name());
+            return Some((X, message));
+        }
+        outside(row, X, setup.body.extent()).or_else(|| match plane {
+            Some(plane) => outside(row, Y, plane.extent_at(rows.get(X, row).unwrap_or_default())),
             None => rows.get(Y, row).map(|_| (Y, "a rod is as warm above as below: it has no y".into())),
         })
     };
@@ -79,23 +91,52 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     (0..rows.len()).filter_map(check).collect()
 }
 
-/// The model's own programme: at every time the elongation, then the temperatures from the base on.
+/// The model's own programme: at every time the elongation, then the temperatures from the base on, then diameters.
 pub fn programme(setup: &Setup) -> Rows {
-    let elongation = setup.body.has_ends().then_some(None);
-    let places: Vec<Option<f64>> = elongation.into_iter().chain(setup.places.iter().copied().map(Some)).collect();
-    rows(setup, &setup.times, &places)
+    let elongation = setup.body.has_ends().then_some(Seen::Elongation);
+    let circles = setup.circles.iter().copied().map(Seen::Diameter);
+    let warm = setup.places.iter().copied().map(Seen::Temperature);
+    rows(setup, &setup.times, &elongation.into_iter().chain(warm).chain(circles).collect::<Vec<_>>())
 }
 
-/// The elongation (`None`) or the temperature at places, at every one of some times.
-fn rows(setup: &Setup, times: &[f64], places: &[Option<f64>]) -> Rows {
-    let all = || times.iter().flat_map(|t| places.iter().map(move |x| (*t, *x)));
+/// What a row looks at.
+#[derive(Clone, Copy)]
+enum Seen {
+    Elongation,
+    /// Where, m from the base.
+    Temperature(f64),
+    /// Of a circle: distance from the left end, and radius, m.
+    Diameter([f64; 2]),
+}
+
+impl Seen {
+    fn observable(self) -> usize {
+        match self {
+            Self::Elongation => ELONGATION,
+            Self::Temperature(_) => TEMPERATURE_OF_ROW,
+            Self::Diameter(_) => DIAMETER,
+        }
+    }
+
+    fn place(self) -> [f64; 2] {
+        match self {
+            Self::Elongation => [f64::NAN; 2],
+            Self::Temperature(x) => [x, f64::NAN],
+            Self::Diameter(circle) => circle,
+        }
+    }
+}
+
+/// What is seen, at every one of some times.
+fn rows(setup: &Setup, times: &[f64], seen: &[Seen]) -> Rows {
+    let all = || times.iter().flat_map(|t| seen.iter().map(move |own| (*t, *own)));
     let rows = Rows {
         columns: vec![
             all().map(|(t, _)| t).collect(),
-            all().map(|(_, x)| x.unwrap_or(f64::NAN)).collect(),
-            Values::shared(f64::NAN, times.len() * places.len()),
+            all().map(|(_, own)| own.place()[0]).collect(),
+            all().map(|(_, own)| own.place()[1]).collect(),
         ],
-        observable: all().map(|(_, x)| if x.is_some() { TEMPERATURE_OF_ROW } else { ELONGATION }).collect(),
+        observable: all().map(|(_, own)| own.observable()).collect(),
     };
     resolved(setup, &rows)
 }
@@ -118,14 +159,27 @@ pub fn temperatures(places: &[[f64; 2]], time: f64) -> Rows {
     }
 }
 
-/// Temperatures half way up where no height is said.
+/// Changes of the diameter of a circle (x and radius in m) at some times (s).
+pub fn of_circle([x, radius]: [f64; 2], times: &[f64]) -> Rows {
+    let everywhere = |value: f64| Values::shared(value, times.len());
+    Rows {
+        columns: vec![times.to_vec().into(), everywhere(x), everywhere(radius)],
+        observable: Values::shared(DIAMETER, times.len()),
+    }
+}
+
+/// Changes of the diameters of some circles (x and radius in m) at a time (s).
+pub fn diameters(circles: &[[f64; 2]], time: f64) -> Rows {
+    Rows { observable: Values::shared(DIAMETER, circles.len()), ..temperatures(circles, time) }
+}
+
+/// Temperatures half way up, or on the outside, where no height is said; and diameters of the outside.
 pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
     let mut resolved = rows.clone();
     if let Some(plane) = setup.body.plane() {
-        let middle = plane.middle();
-        for row in (0..rows.len()).filter(|row| rows.observable[*row] == TEMPERATURE_OF_ROW) {
+        for row in (0..rows.len()).filter(|row| rows.observable[*row] != ELONGATION) {
             if rows.columns[Y][row].is_nan() {
-                resolved.columns[Y].set(row, middle);
+                resolved.columns[Y].set(row, plane.usual_y(rows.columns[X][row]));
             }
         }
     }
@@ -153,14 +207,22 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
             ("measure the temperature half way along as well", 0.5 * length),
             ("measure the temperature of the free end as well", length),
         ] {
-            experiments.push(experiment(words, X, &[x], self::rows(setup, &evenly(0.0, last), &[Some(x)])));
+            experiments.push(experiment(
+                words,
+                X,
+                &[x],
+                self::rows(setup, &evenly(0.0, last), &[Seen::Temperature(x)]),
+            ));
         }
         let words = "measure temperatures at both ends often in the first tenth of the run";
         let early = evenly(0.0, 0.1 * last);
-        experiments.push(experiment(words, TIME_OF_ROW, &early, self::rows(setup, &early, &[Some(0.0), Some(length)])));
+        let both = [Seen::Temperature(0.0), Seen::Temperature(length)];
+        experiments.push(experiment(words, TIME_OF_ROW, &early, self::rows(setup, &early, &both)));
     }
-    let half_way = seen(TEMPERATURE_OF_ROW).then_some(Some(0.5 * length));
-    let places: Vec<Option<f64>> = seen(ELONGATION).then_some(None).into_iter().chain(half_way).collect();
+    let half_way = seen(TEMPERATURE_OF_ROW).then_some(Seen::Temperature(0.5 * length));
+    let elongation = seen(ELONGATION).then_some(Seen::Elongation);
+    let circles = setup.circles.iter().copied().map(Seen::Diameter).filter(|_| seen(DIAMETER));
+    let places: Vec<Seen> = elongation.into_iter().chain(half_way).chain(circles).collect();
     // What is not recorded yet cannot be predicted.
     if 2.0 * last <= setup.known_until() {
         let after = evenly(last, 2.0 * last);

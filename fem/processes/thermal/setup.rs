@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::allowed::ALLOWED;
 use super::body::{Body, MOST_CELLS};
 use super::boundary::{self, Boundary, refuse_impossible};
-use super::source;
+use super::circles;
+use super::source::{self, Source, Strip};
 use super::steps::Steps;
 use super::surroundings::{self, Surroundings};
 use crate::input::{Along, Reader};
@@ -45,13 +46,15 @@ pub struct Setup {
     pub body: Body,
     /// Sources in the order of the file.
     pub sources: Vec<PointSource>,
+    /// Strips of a body of revolution that are heated.
+    pub strips: Vec<Strip>,
     /// Conditions on edges in the order of the file; rods have none.
     pub boundaries: Vec<Boundary>,
     /// Temperature of the surroundings over time, K.
     pub ambient: History,
     /// Temperature of what holds the base over time, K, where it is not that of the surroundings.
     pub at_base: Option<History>,
-    /// Lengths of a rod with surroundings of their own.
+    /// Lengths of a rod or of a body of revolution with surroundings of their own.
     pub sections: Vec<Surroundings>,
     /// Temperature of the body at the start, K.
     pub start: f64,
@@ -61,6 +64,8 @@ pub struct Setup {
     pub element_size: f64,
     /// Places at which the programme looks, m from the base.
     pub places: Vec<f64>,
+    /// Circles of a body of revolution whose diameters it looks at: distance from the left end, and radius, m.
+    pub circles: Vec<[f64; 2]>,
     /// Times at which it looks, s.
     pub times: Vec<f64>,
     /// What the drawing allows.
@@ -89,10 +94,16 @@ impl Setup {
         // Records must reach over the whole run.
         let time = model.table("time", "how long and in which steps", Time::read);
         let run = Along { name: "time", kind: TIME, needed: [0.0, time.end] };
-        let sources =
-            model.list("source", "a source of heat, spread over the section", |t, _| source::read(t, &body, run));
+        let about = "a source of heat, spread over the section, or over a strip";
+        let (mut sources, mut strips) = (Vec::new(), Vec::new());
+        for source in model.list("source", about, |t, _| source::read(t, &body, run)) {
+            match source {
+                Source::Section(source) => sources.push(source),
+                Source::Strip(strip) => strips.push(strip),
+            }
+        }
         let boundaries =
-            model.list("boundary", "what holds on an edge of a plane body", |t, _| Boundary::read(t, &body, run));
+            model.list("boundary", "what holds on an edge of a body", |t, _| Boundary::read(t, &body, run));
         boundary::refuse_contradictions(model, &boundaries);
         let ambient = model.table("environment", "what is around the body", |t| {
             let about = "of the surroundings, and of a body that has none of its own at the start";
@@ -100,35 +111,40 @@ impl Setup {
             refuse_impossible(t, "temperature", ambient.least());
             let about = "of what holds the base; that of the surroundings if left out";
             let at_base = boundary::temperature(t, "base_temperature", about, run);
-            let about = "a length of a rod with surroundings of its own";
+            let about = "a length of a round body with surroundings of its own";
             let sections = t.list("section", about, |t, _| Surroundings::read(t, &body, run));
             surroundings::refuse_overlaps(t, &sections);
             (History::from(ambient), t.is_uncertain("temperature"), at_base, sections)
         });
         let (ambient, ambient_is_uncertain, at_base, sections) = ambient;
+        surroundings::refuse_taken(model, &sections, &boundaries);
         let start = own_start.map_or(ambient.at(0.0), |(start, _)| start);
-        let [usual, most] = body.elements();
-        let usual_size = length / usual;
+        let [usual_size, least_size] = body.sizes();
         let element_size = model.optional_table("mesh", "the body in finite elements", |t| {
             let size =
                 t.quantity("element_size", LENGTH, "longest element along the body").chosen().positive().or(usual_size);
-            if length / size > most {
+            if size < least_size {
                 t.problem(
                     "element_size",
                     format!("{:.0} elements along the body are too many", length / size),
-                    format!("it must be above {:.3}", LENGTH.shown(length / most)),
+                    format!("it must be above {:.3}", LENGTH.shown(least_size)),
                 );
             }
             size
         });
         let cells = body.cells(element_size.unwrap_or(usual_size)).unwrap_or(0.0);
         if cells > MOST_CELLS {
-            let message = format!("the rectangle has {cells:.0} elements; at most {MOST_CELLS:.0} are computed with");
-            model.problem("body", message, "check its length and height, or give a longer [mesh] element_size");
+            let name = if body.revolved().is_some() { "body" } else { "rectangle" };
+            let message = format!("the {name} has {cells:.0} elements; at most {MOST_CELLS:.0} are computed with");
+            model.problem("body", message, "check its dimensions, or give a longer [mesh] element_size");
         }
-        let (places, times) = model
-            .optional_table("measurement", "where and when a run looks", |t| read_measurement(t, length, &time))
-            .unwrap_or_else(|| (usual_places(length), evenly(time.end, time.end / USUAL_TIMES)));
+        let looks = model.optional_table("measurement", "where and when a run looks", |t| {
+            let circles = circles::read(t, &body);
+            let (places, times) = read_measurement(t, length, &time);
+            (circles, places, times)
+        });
+        let (circles, places, times) = looks
+            .unwrap_or_else(|| (circles::usual(&body), usual_places(length), evenly(time.end, time.end / USUAL_TIMES)));
         let element_size = element_size.unwrap_or(usual_size);
         let rods = model.kept();
         let allowed = model
@@ -138,6 +154,7 @@ impl Setup {
             material,
             body,
             sources,
+            strips,
             boundaries,
             ambient,
             at_base,
@@ -146,6 +163,7 @@ impl Setup {
             time,
             element_size,
             places,
+            circles,
             times,
             allowed,
             steps: Arc::default(),
@@ -154,7 +172,8 @@ impl Setup {
         let by_effect = ["extra-source", "ambient-drift"].iter().any(|effect| model.has_in("effects", effect));
         // A search may come upon values at which they are equal.
         let may_differ = own_start.is_some_and(|(_, is_uncertain)| is_uncertain || ambient_is_uncertain);
-        let is_heated = !setup.sources.is_empty() || !setup.boundaries.is_empty() || by_effect;
+        let is_heated =
+            !(setup.sources.is_empty() && setup.strips.is_empty() && setup.boundaries.is_empty()) || by_effect;
         if !(is_heated || may_differ || setup.is_out_of_balance() || model.is_described()) {
             model.problem(
                 "source",
@@ -174,7 +193,9 @@ impl Setup {
 
     /// Last time (s) up to which all records reach.
     pub fn known_until(&self) -> f64 {
-        let powers = self.sources.iter().map(|source| source.power.level.known_until());
+        let strips = self.strips.iter().map(|strip| &strip.power);
+        let powers = self.sources.iter().map(|source| &source.power).chain(strips);
+        let powers = powers.map(|power| power.level.known_until());
         let edges = self.boundaries.iter().map(Boundary::known_until);
         let others = self.at_base.iter().chain(self.sections.iter().map(|s| &s.temperature));
         powers.chain(edges).chain(others.map(History::known_until)).fold(self.ambient.known_until(), f64::min)
@@ -187,7 +208,7 @@ impl Setup {
     pub fn needs_sections(&self) -> Result<(), String> {
         match self.body.has_sections() {
             true => Ok(()),
-            false => Err("is known of rods and rectangles, whose sections it acts on, not of meshes from files".into()),
+            false => Err("is known of bodies with sections, on which it acts, not of meshes from files".into()),
         }
     }
 }

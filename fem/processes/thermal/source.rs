@@ -1,18 +1,48 @@
-//! The table of a source of heat.
+//! The table of a source of heat: over a section, or on a strip of a body of revolution.
 
 use super::body::Body;
+use super::revolved;
 use crate::input::{Along, Reader, Varying};
+use crate::mesh::{BORE, LEFT, RIGHT};
 use crate::process::estimates;
 use crate::solve::rod::{Heater, History, PointSource, Power, Pulse};
 use crate::units::{CONDUCTANCE, FACTOR, HEAT, HEAT_CAPACITY, LENGTH, POWER, TIME};
 
+/// A source of heat.
+pub enum Source {
+    /// Over a whole section.
+    Section(PointSource),
+    /// On a strip of the surface of a body of revolution.
+    Strip(Strip),
+}
+
+/// A strip around a body of revolution, or a ring on its end, into which heat comes evenly.
+#[derive(Clone, Debug)]
+pub struct Strip {
+    /// Name of the edge that it is on.
+    pub edge: String,
+    /// Where it begins and ends, m: from the left end along `outside` and `bore`, from the axis on the ends.
+    pub ends: [f64; 2],
+    /// Power of the whole strip, W.
+    pub power: Power,
+}
+
+impl Strip {
+    /// The coordinate along which it reaches: 0 for x, 1 for y.
+    pub fn axis(&self) -> usize {
+        usize::from(matches!(self.edge.as_str(), LEFT | RIGHT))
+    }
+}
+
 /// Reads a source; a record of its power must reach over the `run`.
-pub fn read(t: &Reader, body: &Body, run: Along) -> PointSource {
-    let at = t.quantity("at", LENGTH, "place along the body, from the base").not_negative().required();
-    if at > body.length() * (1.0 + 1e-12) {
+pub fn read(t: &Reader, body: &Body, run: Along) -> Source {
+    let strip = read_strip(t, body);
+    let place = t.quantity("at", LENGTH, "place along the body, from the base").not_negative();
+    let at = if strip.is_some() && !t.is_described() { place.optional() } else { Some(place.required()) };
+    if at.is_some_and(|at| at > body.length() * (1.0 + 1e-12)) {
         t.problem(
             "at",
-            format!("the source stands at {}, beyond the body", LENGTH.format(at)),
+            format!("the source stands at {}, beyond the body", LENGTH.format(at.unwrap_or_default())),
             format!("the body ends at {}", LENGTH.format(body.length())),
         );
     }
@@ -35,8 +65,64 @@ pub fn read(t: &Reader, body: &Body, run: Along) -> PointSource {
         let message = format!("`pulses` has {} factors, and `on` {} intervals", factors.len(), on.len());
         t.problem("pulses", message, "give one factor for each interval, in the order of `on`");
     }
-    let level = read_level(t, power, whole, &on);
-    PointSource { at, power: Power { level, on }, heater: read_heater(t, body) }
+    let power = Power { level: read_level(t, power, whole, &on), on };
+    let heater = read_heater(t, body);
+    match (strip, at) {
+        (Some((edge, ends)), None) => Source::Strip(Strip { edge, ends, power }),
+        (Some(_), Some(_)) if !t.is_described() => {
+            let help = "keep `at` for heat over a whole section, or `edge` with `from` and `to` for a strip";
+            t.problem("at", "the place of the source is given twice", help);
+            Source::Section(PointSource { at: 0.0, power, heater })
+        }
+        (_, at) => Source::Section(PointSource { at: at.unwrap_or_default(), power, heater }),
+    }
+}
+
+/// Reads the strip of a source: its edge, and where it begins and ends (m).
+fn read_strip(t: &Reader, body: &Body) -> Option<(String, [f64; 2])> {
+    let edge = t.text("edge", "of a body of revolution, which a strip heats: outside, bore, left or right");
+    let about = "where the strip begins: from the left end, on an end from the axis; there if left out";
+    let from = t.quantity("from", LENGTH, about).not_negative().optional();
+    let to = t.quantity("to", LENGTH, "where the strip ends; with the edge if left out").positive().optional();
+    let Some(edge) = edge.filter(|_| !t.is_described()) else {
+        if let Some(given) = ["from", "to"].into_iter().find(|key| t.has(key)) {
+            t.problem(given, "a strip is on an edge, and none is said", "add edge = \"outside\"");
+        }
+        return None;
+    };
+    let Some(walls) = body.revolved() else {
+        let message = format!("a strip heats a body of revolution, not {}", body.name());
+        t.problem("edge", message, "say where the section is that the source heats: at = \"200 mm\"");
+        return Some((edge, [0.0; 2]));
+    };
+    let edges = body.edges();
+    if !edges.contains(&edge) {
+        let message = format!("`{edge}` is no edge of the body");
+        t.problem("edge", message, format!("its edges are {}", edges.join(", ")));
+        return Some((edge, [0.0; 2]));
+    }
+    let length = body.length();
+    let reach = match edge.as_str() {
+        LEFT => revolved::radii_at(walls, 0.0),
+        RIGHT => revolved::radii_at(walls, length),
+        _ => [0.0, length],
+    };
+    let ends = [from.unwrap_or(reach[0]), to.unwrap_or(reach[1])];
+    let slack = 1e-9 * reach[1];
+    if ends[1] <= ends[0] {
+        t.problem("to", "the strip ends where it begins, or before", "give it a width");
+    } else if ends[0] < reach[0] - slack || ends[1] > reach[1] + slack {
+        let key = if ends[0] < reach[0] - slack { "from" } else { "to" };
+        let message = format!("the strip reaches beyond the edge `{edge}`");
+        let help = format!("it lies between {} and {}", LENGTH.from_si(reach[0]), LENGTH.format(reach[1]));
+        t.problem(key, message, help);
+    } else if edge == BORE
+        && let Some(own) = revolved::solid(walls, ends)
+    {
+        let message = format!("a length of {} under the strip has no bore", LENGTH.format(own));
+        t.problem("edge", message, "end the strip where the bore does, or give that length a `bore`");
+    }
+    Some((edge, ends))
 }
 
 /// The power of a source: its own, or what gives all its heat (J) evenly while it is on.
@@ -94,7 +180,7 @@ fn read_heater(t: &Reader, body: &Body) -> Option<Heater> {
     if body.plane().is_some() {
         t.problem(
             "heat_capacity",
-            "a heater with a heat capacity of its own is known of rods, not of plane bodies",
+            format!("a heater with a heat capacity of its own is known of rods, not of {}", body.kind()),
             "leave `heat_capacity` and `contact` out, or model the body as a rod: segments = [{ length, diameter }]",
         );
     }

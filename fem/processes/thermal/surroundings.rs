@@ -1,13 +1,15 @@
-//! Lengths of a rod with surroundings of their own: another room, a coolant around it, steam through its bore.
+//! Lengths of a round body with surroundings of their own: another room, a coolant around it, steam through its bore.
 
 use super::body::Body;
-use super::boundary::temperature;
+use super::boundary::{Boundary, temperature};
+use super::revolved;
 use crate::input::{Along, Reader};
+use crate::mesh::{BORE, OUTSIDE};
 use crate::process::estimates;
 use crate::solve::rod::History;
 use crate::units::{CONVECTION, LENGTH};
 
-/// The surface of a rod that surroundings touch.
+/// The surface of a round body that surroundings touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// The round surface.
@@ -16,7 +18,7 @@ pub enum Side {
     Bore,
 }
 
-/// A length of a rod with surroundings of its own.
+/// A length of a rod or of a body of revolution with surroundings of its own.
 #[derive(Clone, Debug)]
 pub struct Surroundings {
     /// Where it begins and ends, m from the base.
@@ -32,6 +34,14 @@ pub struct Surroundings {
 impl Side {
     /// The words of the model file, the default first.
     pub const WORDS: &[(&'static str, Self)] = &[("outside", Self::Outside), ("bore", Self::Bore)];
+
+    /// The edge of a body of revolution that it is.
+    pub fn edge(self) -> &'static str {
+        match self {
+            Self::Outside => OUTSIDE,
+            Self::Bore => BORE,
+        }
+    }
 }
 
 impl Surroundings {
@@ -59,7 +69,8 @@ impl Surroundings {
 
     fn check(&self, t: &Reader, body: &Body) {
         let ([from, to], length) = (self.ends, body.length());
-        let Body::Rod(segments) = body else {
+        let segments = if let Body::Rod(segments) = body { Some(&segments[..]) } else { body.revolved() };
+        let Some(segments) = segments else {
             let help = "an edge of a plane body has surroundings of its own by [[boundary]] convection and ambient";
             t.problem("", "a plane body has no lengths with surroundings of their own", help);
             return;
@@ -79,14 +90,8 @@ impl Surroundings {
                 "add coefficient = \"500 W/m^2/K\"; water takes some hundreds to thousands, steam that condenses more";
             t.problem("coefficient", "the film in a bore is not that of the free surface", help);
         }
-        let mut start = 0.0;
-        let solid = segments.iter().find(|s| {
-            let own = [start, start + s.length];
-            start = own[1];
-            s.section.bore == 0.0 && own[0].max(from) < own[1].min(to) * (1.0 - 1e-9)
-        });
-        if let Some(solid) = solid {
-            let message = format!("a segment of {} there has no bore", LENGTH.format(solid.length));
+        if let Some(solid) = revolved::solid(segments, [from, to]) {
+            let message = format!("a segment of {} there has no bore", LENGTH.format(solid));
             t.problem("side", message, "give the segment a `bore`, or end the section before it");
         }
     }
@@ -95,6 +100,15 @@ impl Surroundings {
     fn overlaps(&self, other: &Self) -> bool {
         let [from, to] = [self.ends[0].max(other.ends[0]), self.ends[1].min(other.ends[1])];
         self.side == other.side && from < to * (1.0 - 1e-9)
+    }
+}
+
+/// Refuses surroundings of a surface that has a film or a temperature of its own, or is covered.
+pub fn refuse_taken(model: &Reader, all: &[Surroundings], boundaries: &[Boundary]) {
+    let taken = all.iter().find_map(|s| boundaries.iter().find(|b| !b.is_open() && b.edge == s.side.edge()));
+    if let Some(Boundary { edge, .. }) = taken {
+        let message = format!("edge `{edge}` has a condition of its own, and a section of the environment around it");
+        model.problem("boundary", message, "keep one of them");
     }
 }
 

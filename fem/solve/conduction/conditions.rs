@@ -1,6 +1,7 @@
 //! Conditions that heat and cool a body.
 
 use super::{History, Power, ThermalError};
+use crate::element::plane::{Thickness, WHOLE};
 use crate::mesh::{Mesh, Side};
 
 /// One condition on a body. Sides without any are insulated.
@@ -43,7 +44,7 @@ pub enum Condition {
         /// T_a over time.
         ambient: History,
     },
-    /// Loss h (T − T_a) through both faces of the sheet, everywhere.
+    /// Loss h (T − T_a) through both faces of the sheet, everywhere; a body of revolution has none.
     Faces {
         /// Heat transfer coefficient h, W/(m² K).
         coefficient: f64,
@@ -91,21 +92,26 @@ impl Amplitude {
     }
 }
 
-/// ∫ Nₐ dl of all nodes on `sides`, times `factor`.
-pub(super) fn side_shares(mesh: &Mesh, sides: &[Side], factor: f64) -> Vec<(usize, f64)> {
+/// ∫ Nₐ t dl of all nodes on `sides`, times `factor`.
+pub(super) fn side_shares(mesh: &Mesh, sides: &[Side], thickness: Thickness, factor: f64) -> Vec<(usize, f64)> {
+    let factor = factor * thickness.scale();
     let own = |&side: &Side| {
-        let shares = mesh.curve(side).shape_integrals(-1.0, 1.0);
+        let shares = mesh.curve(side).shape_integrals(thickness, WHOLE);
         let nodes = mesh.side_nodes(side).as_slice().to_vec();
         nodes.into_iter().zip(shares).map(move |(node, share)| (node as usize, factor * share))
     };
     sides.iter().flat_map(own).collect()
 }
 
+/// Part of the way that a side covers, below which it stands across the way.
+const ACROSS: f64 = 1e-12;
+
 /// A strip of flux moving along straight sides.
 pub(super) struct MovingStrip {
     /// Sides with their coordinate at s = −1 and at s = 1.
     sides: Vec<(Side, f64, f64)>,
-    flux_times_thickness: f64,
+    thickness: Thickness,
+    flux: f64,
     width: f64,
     start: f64,
     speed: f64,
@@ -115,8 +121,8 @@ impl MovingStrip {
     pub fn new(
         mesh: &Mesh,
         sides: &[Side],
-        flux_times_thickness: f64,
-        [width, start, speed]: [f64; 3],
+        thickness: Thickness,
+        [flux, width, start, speed]: [f64; 4],
     ) -> Result<Self, ThermalError> {
         ThermalError::check(width > 0.0 && width.is_finite(), "width of the strip (m)", "above zero", width)?;
         ThermalError::check(start.is_finite(), "start of the strip (m)", "finite", start)?;
@@ -132,7 +138,10 @@ impl MovingStrip {
             let [from, to] = ends(side).map(|place| place[axis]);
             (*side, from, to)
         };
-        Ok(Self { sides: sides.iter().map(own).collect(), flux_times_thickness, width, start, speed })
+        // Shoulders of a stepped body stand across the way, and are passed in no time.
+        let is_along = |(_, from, to): &(Side, f64, f64)| (to - from).abs() > ACROSS * extent(axis);
+        let sides = sides.iter().map(own).filter(is_along).collect();
+        Ok(Self { sides, thickness, flux, width, start, speed })
     }
 
     /// Adds the heat (W) at `time` to `add(node, W)`, integrated exactly over the part of each side under the
@@ -146,9 +155,10 @@ impl MovingStrip {
             if a == b {
                 continue;
             }
-            let shares = mesh.curve(side).shape_integrals(a.min(b), a.max(b));
+            let shares = mesh.curve(side).shape_integrals(self.thickness, [a.min(b), a.max(b)]);
+            let factor = self.flux * self.thickness.scale();
             for (&node, share) in mesh.side_nodes(side).as_slice().iter().zip(shares) {
-                add(node as usize, self.flux_times_thickness * share);
+                add(node as usize, factor * share);
             }
         }
     }

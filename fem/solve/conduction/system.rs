@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::conditions::{Amplitude, MovingStrip, Supply, side_shares};
 use super::{Condition, History, ThermalError};
-use crate::element::plane::{Capacity, Conduction, EDGE_NODES, MAX_NODES, Square};
+use crate::element::plane::{Capacity, Conduction, EDGE_NODES, MAX_NODES, Square, Thickness};
 use crate::mesh::{Mesh, Side};
 use crate::solve::sparse::{Analysis, Freedoms, Graph, Matrix, Order, Pattern, Solver};
 
@@ -56,10 +56,12 @@ impl<'m> ThermalSystem<'m> {
         let ones = vec![1.0; freedoms.len()];
         let stores = capacity.multiply(&ones);
         for condition in conditions {
-            if let Condition::Faces { coefficient, ambient } = condition {
+            if let (Condition::Faces { coefficient, ambient }, Thickness::Uniform(thickness)) =
+                (condition, law.thickness)
+            {
                 check_film(*coefficient)?;
                 // Both faces over the heat that the sheet between them stores.
-                let factor = 2.0 * coefficient / (law.thickness * law.heat_capacity);
+                let factor = 2.0 * coefficient / (thickness * law.heat_capacity);
                 conductance = conductance.combined(1.0, &capacity, factor);
                 let shares = (0..mesh.nodes().len()).map(|node| (node, factor * stores[freedoms.number(node)]));
                 ambients.push(Supply { shares: shares.collect(), amplitude: Amplitude::Varying(ambient.clone()) });
@@ -171,7 +173,7 @@ fn check(law: &Conduction) -> Result<(), ThermalError> {
     for (value, quantity) in [
         (law.conductivity, "conductivity (W/(m K))"),
         (law.heat_capacity, "heat capacity (J/(m³ K))"),
-        (law.thickness, "thickness (m)"),
+        (law.thickness.scale(), "thickness (m)"),
     ] {
         ThermalError::check(value > 0.0 && value.is_finite(), quantity, "above zero", value)?;
     }
@@ -195,10 +197,9 @@ fn convections(
     for condition in conditions {
         if let Condition::Convection { sides, coefficient: film, ambient } = condition {
             check_film(*film)?;
-            let factor = film * law.thickness;
             let sides = mesh.sides(sides)?;
-            add_convection(conductance, mesh, freedoms, sides, factor);
-            let shares = side_shares(mesh, sides, factor);
+            add_convection(conductance, mesh, freedoms, sides, (law.thickness, *film));
+            let shares = side_shares(mesh, sides, law.thickness, *film);
             ambients.push(Supply { shares, amplitude: Amplitude::Varying(ambient.clone()) });
         }
     }
@@ -220,10 +221,17 @@ fn prescribed(mesh: &Mesh, conditions: &[Condition]) -> Result<(Vec<usize>, Vec<
     Ok(held.into_iter().unzip())
 }
 
-/// Adds h t ∫ Nₐ N_b dl of the sides.
-fn add_convection(matrix: &mut Matrix, mesh: &Mesh, freedoms: &Freedoms, sides: &[Side], factor: f64) {
+/// Adds ∫ h Nₐ N_b t dl of the sides with a film coefficient h.
+fn add_convection(
+    matrix: &mut Matrix,
+    mesh: &Mesh,
+    freedoms: &Freedoms,
+    sides: &[Side],
+    (thickness, film): (Thickness, f64),
+) {
+    let factor = film * thickness.scale();
     for &side in sides {
-        let products = mesh.curve(side).shape_products();
+        let products = mesh.curve(side).shape_products(thickness);
         let mut square: Square<1> = [[[[0.0]]; MAX_NODES]; MAX_NODES];
         for a in 0..EDGE_NODES {
             for b in 0..EDGE_NODES {
@@ -246,7 +254,7 @@ fn supplies(
             Condition::Flux { sides, flux } => {
                 let wrong = flux.infinite();
                 ThermalError::check(wrong.is_none(), "flux (W/m²)", "finite", wrong.unwrap_or(0.0))?;
-                let shares = side_shares(mesh, mesh.sides(sides)?, law.thickness);
+                let shares = side_shares(mesh, mesh.sides(sides)?, law.thickness, 1.0);
                 supplies.push(Supply { shares, amplitude: Amplitude::Switched(flux.clone()) });
             }
             Condition::Source { shares, power } => {
@@ -261,7 +269,7 @@ fn supplies(
             Condition::MovingFlux { sides, flux, width, start, speed } => {
                 ThermalError::check(flux.is_finite(), "flux (W/m²)", "finite", *flux)?;
                 let sides = mesh.sides(sides)?;
-                strips.push(MovingStrip::new(mesh, sides, flux * law.thickness, [*width, *start, *speed])?);
+                strips.push(MovingStrip::new(mesh, sides, law.thickness, [*flux, *width, *start, *speed])?);
             }
             Condition::Convection { .. } | Condition::Faces { .. } | Condition::Temperature { .. } => {}
         }

@@ -1,7 +1,7 @@
 //! Forces on nodes equivalent to pressure, traction and temperature.
 
 use super::ElasticError;
-use crate::element::plane::{Elasticity, MAX_NODES, Sampled};
+use crate::element::plane::{Elasticity, MAX_NODES, Sampled, WHOLE};
 use crate::mesh::Mesh;
 
 /// Forces (N) on all freedoms.
@@ -21,13 +21,14 @@ impl Loads {
         &self.forces
     }
 
-    /// A force (N) on a node.
+    /// A force (N) on a node; of a body of revolution that on all of its circle.
     pub fn add_force(&mut self, node: usize, force: [f64; 2]) {
         self.forces[2 * node] += force[0];
         self.forces[2 * node + 1] += force[1];
     }
 
-    /// A pressure (Pa, pressing on the body) on the sides called `name`: fₐ = −t ∫ p Nₐ n dl.
+    /// A pressure (Pa, pressing on the body) on the sides called `name`: fₐ = −∫ p Nₐ n t dl, 2πy in the place of t of a
+    /// body of revolution.
     ///
     /// # Errors
     /// The mesh has no such sides.
@@ -39,16 +40,16 @@ impl Loads {
         pressure: f64,
     ) -> Result<(), ElasticError> {
         for &side in mesh.sides(name)? {
-            let forces = mesh.curve(side).pressure_forces();
+            let forces = mesh.curve(side).pressure_forces(law.thickness());
             for (&node, [x, y]) in mesh.side_nodes(side).as_slice().iter().zip(forces) {
-                let factor = pressure * law.thickness();
+                let factor = pressure * law.thickness().scale();
                 self.add_force(node as usize, [factor * x, factor * y]);
             }
         }
         Ok(())
     }
 
-    /// A traction (Pa) on the sides called `name`: fₐ = t ∫ τ Nₐ dl.
+    /// A traction (Pa) on the sides called `name`: fₐ = ∫ τ Nₐ t dl.
     ///
     /// # Errors
     /// The mesh has no such sides.
@@ -60,9 +61,9 @@ impl Loads {
         [x, y]: [f64; 2],
     ) -> Result<(), ElasticError> {
         for &side in mesh.sides(name)? {
-            let shares = mesh.curve(side).shape_integrals(-1.0, 1.0);
+            let shares = mesh.curve(side).shape_integrals(law.thickness(), WHOLE);
             for (&node, share) in mesh.side_nodes(side).as_slice().iter().zip(shares) {
-                let factor = share * law.thickness();
+                let factor = share * law.thickness().scale();
                 self.add_force(node as usize, [factor * x, factor * y]);
             }
         }

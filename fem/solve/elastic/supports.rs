@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{ElasticError, LooseMotion};
+use crate::element::plane::Thickness;
 use crate::mesh::Mesh;
 
 /// One prescribed component of a node's displacement.
@@ -32,7 +33,18 @@ impl Prescribed {
     }
 }
 
-pub(super) fn check(mesh: &Mesh, prescribed: &[Prescribed]) -> Result<(), ElasticError> {
+/// Holds what lies on the axis of a body of revolution: no circle is there to widen.
+pub(super) fn hold_axis(mesh: &Mesh, prescribed: &mut Vec<Prescribed>) {
+    /// Radius over the largest below which a node is on the axis.
+    const ON_AXIS: f64 = 1e-9;
+    let largest = mesh.nodes().iter().fold(0.0_f64, |largest, node| largest.max(node[1]));
+    let known: Vec<usize> = prescribed.iter().map(Prescribed::freedom).collect();
+    let on_axis = mesh.nodes().iter().enumerate().filter(|(_, node)| node[1] <= ON_AXIS * largest);
+    let held = on_axis.map(|(node, _)| Prescribed { node, axis: 1, displacement: 0.0 });
+    prescribed.extend(held.filter(|own| !known.contains(&own.freedom())));
+}
+
+pub(super) fn check(mesh: &Mesh, thickness: Thickness, prescribed: &[Prescribed]) -> Result<(), ElasticError> {
     let mut seen = vec![false; 2 * mesh.nodes().len()];
     for support in prescribed {
         let fail = |reason| Err(ElasticError::Prescribed { node: support.node, reason });
@@ -49,7 +61,7 @@ pub(super) fn check(mesh: &Mesh, prescribed: &[Prescribed]) -> Result<(), Elasti
             return fail("it is prescribed twice");
         }
     }
-    match loose_motion(mesh, prescribed) {
+    match loose_motion(mesh, thickness, prescribed) {
         Some((element, motion)) => Err(ElasticError::Loose { element, motion }),
         None => Ok(()),
     }
@@ -62,7 +74,7 @@ const LOOSE: f64 = 1e-10;
 ///
 /// Rows g of the constraints over the rigid motions (slide x, slide y, turn · size) of each piece add up to
 /// the Gram matrix Σ g gᵀ; a motion in its null space is loose.
-fn loose_motion(mesh: &Mesh, prescribed: &[Prescribed]) -> Option<(usize, LooseMotion)> {
+fn loose_motion(mesh: &Mesh, thickness: Thickness, prescribed: &[Prescribed]) -> Option<(usize, LooseMotion)> {
     let pieces = mesh.pieces();
     let count = pieces.iter().max().map_or(0, |&last| last as usize + 1);
     let size = mesh.nodes().iter().fold(0.0_f64, |size, [x, y]| size.max(x.hypot(*y)));
@@ -73,7 +85,9 @@ fn loose_motion(mesh: &Mesh, prescribed: &[Prescribed]) -> Option<(usize, LooseM
         *nodes += 1.0;
     }
     let centres: Vec<[f64; 2]> = sums.iter().map(|([x, y], nodes)| [x / nodes, y / nodes]).collect();
-    let mut grams = vec![Matrix3::zeros(); count];
+    // A body of revolution can slide along its axis alone.
+    let resisted = if thickness.is_revolved() { Vector3::new(0.0, 1.0, 1.0) } else { Vector3::zeros() };
+    let mut grams = vec![Matrix3::from_diagonal(&resisted); count];
     for support in prescribed {
         let piece = pieces[support.node] as usize;
         let [x, y] = [0, 1].map(|axis| (mesh.nodes()[support.node][axis] - centres[piece][axis]) / size);

@@ -22,6 +22,8 @@ pub struct ElasticSystem<M> {
     matrix: Matrix,
     solver: Solver,
     prescribed: Vec<Prescribed>,
+    /// The prescribed freedoms that only take the rigid motion of a free body away.
+    carriers: Vec<usize>,
     free: bool,
 }
 
@@ -42,17 +44,27 @@ impl<M: Deref<Target = Mesh>> ElasticSystem<M> {
     /// # Errors
     /// A wrong or missing support; a stiffness that cannot be factored.
     pub fn held(mesh: M, law: Elasticity, prescribed: &[Prescribed]) -> Result<Self, ElasticError> {
-        supports::check(&mesh, prescribed)?;
+        supports::check(&mesh, law.thickness(), prescribed)?;
         Self::new(mesh, law, prescribed.to_vec(), false)
     }
 
-    /// A free body: three freedoms are fixed to take its rigid motion away. They must carry no force, and
-    /// every solution is checked for that.
+    /// A free body: three freedoms are fixed to take its rigid motion away, of a body of revolution one. They must carry
+    /// no force, and every solution is checked for that.
     ///
     /// # Errors
     /// A mesh of several pieces; a stiffness that cannot be factored.
     pub fn free(mesh: M, law: Elasticity) -> Result<Self, ElasticError> {
         mesh.connected()?;
+        let prescribed = if law.thickness().is_revolved() {
+            vec![Prescribed { node: 0, axis: 0, displacement: 0.0 }]
+        } else {
+            Self::without_rigid_motion(&mesh)
+        };
+        Self::new(mesh, law, prescribed, true)
+    }
+
+    /// Three freedoms of a plane body at two nodes far apart.
+    fn without_rigid_motion(mesh: &Mesh) -> Vec<Prescribed> {
         let nodes = mesh.nodes();
         let distance = |a: usize, b: usize| (nodes[a][0] - nodes[b][0]).hypot(nodes[a][1] - nodes[b][1]);
         let farthest = |from: usize| {
@@ -63,11 +75,14 @@ impl<M: Deref<Target = Mesh>> ElasticSystem<M> {
         // held across the line from start to end, so that the body cannot turn about start
         let steep = (nodes[end][1] - nodes[start][1]).abs() > (nodes[end][0] - nodes[start][0]).abs();
         let fixed = |node, axis| Prescribed { node, axis, displacement: 0.0 };
-        let prescribed = vec![fixed(start, 0), fixed(start, 1), fixed(end, usize::from(!steep))];
-        Self::new(mesh, law, prescribed, true)
+        vec![fixed(start, 0), fixed(start, 1), fixed(end, usize::from(!steep))]
     }
 
     fn new(mesh: M, law: Elasticity, mut prescribed: Vec<Prescribed>, free: bool) -> Result<Self, ElasticError> {
+        let carriers = if free { prescribed.iter().map(Prescribed::freedom).collect() } else { Vec::new() };
+        if law.thickness().is_revolved() {
+            supports::hold_axis(&mesh, &mut prescribed);
+        }
         prescribed.sort_by_key(Prescribed::freedom);
         let held: Vec<usize> = prescribed.iter().map(Prescribed::freedom).collect();
         let graph = Graph::new(&mesh);
@@ -79,7 +94,7 @@ impl<M: Deref<Target = Mesh>> ElasticSystem<M> {
             law.stiffness(sampled, coordinates, square);
         })?;
         let solver = Solver::new(&Analysis::of(&matrix)?, &matrix, &freedoms, mesh.nodes())?;
-        Ok(Self { mesh, law, freedoms, matrix, solver, prescribed, free })
+        Ok(Self { mesh, law, freedoms, matrix, solver, prescribed, carriers, free })
     }
 
     /// The mesh.
@@ -119,9 +134,10 @@ impl<M: Deref<Target = Mesh>> ElasticSystem<M> {
             self.freedoms.held().map(|freedom| (freedom, -held[self.freedoms.number(freedom)])).collect();
         let moved = x.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         let allowed = BALANCED * size + ROUNDING * self.matrix.largest() * moved;
-        if self.free
-            && let Some(&(freedom, force)) = reactions.iter().find(|(_, force)| force.is_nan() || force.abs() > allowed)
-        {
+        let is_wrong = |(freedom, force): &&(usize, f64)| {
+            self.carriers.contains(freedom) && (force.is_nan() || force.abs() > allowed)
+        };
+        if let Some(&(freedom, force)) = reactions.iter().find(is_wrong) {
             return Err(ElasticError::Carries { node: freedom / 2, force });
         }
         let values = self.freedoms.scatter(&x);
@@ -135,7 +151,11 @@ impl<M: Deref<Target = Mesh>> ElasticSystem<M> {
         let centre = [0, 1].map(|axis| nodes.iter().map(|node| node[axis]).sum::<f64>() / nodes.len() as f64);
         let reach =
             nodes.iter().fold(0.0_f64, |reach, node| reach.max((node[0] - centre[0]).hypot(node[1] - centre[1])));
-        let (force, moment, size) = loads.resultant(&self.mesh, centre);
+        let (mut force, mut moment, size) = loads.resultant(&self.mesh, centre);
+        if self.law.thickness().is_revolved() {
+            // What presses all around is in equilibrium with itself.
+            (force[1], moment) = (0.0, 0.0);
+        }
         let largest = force[0].abs().max(force[1].abs()).max(moment.abs() / reach);
         if self.free && largest > BALANCED * size {
             return Err(ElasticError::Unbalanced { force, moment });

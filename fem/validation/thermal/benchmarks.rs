@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::rig::*;
-use crate::element::plane::{Capacity, Conduction, Quad8};
+use crate::element::plane::{Capacity, Conduction, Quad8, Thickness};
 use crate::mesh::{BORE, Grading, OUTSIDE, RectangleMesh, RingMesh};
 use crate::solve::conduction::{Condition, History, Run, Scheme, ThermalSystem};
 use crate::validation::{Case, Tolerance};
@@ -41,7 +41,7 @@ fn held(sides: &str, temperature: History) -> Condition {
 /// A rod of 0.1 m from 0, T(L) = 100 sin(πt/40).
 fn t3() -> Option<f64> {
     let mesh = RectangleMesh::uniform([0.1, 0.001], [40, 1], &Quad8).build().ok()?;
-    let law = Conduction { conductivity: 35.0, heat_capacity: 7200.0 * 440.5, thickness: 0.001 };
+    let law = Conduction { conductivity: 35.0, heat_capacity: 7200.0 * 440.5, thickness: Thickness::Uniform(0.001) };
     let end = History::Function(Arc::new(|t: f64| 100.0 * (PI * t / 40.0).sin()));
     let conditions = [held("left", History::Constant(0.0)), held("right", end)];
     let system = ThermalSystem::new(&mesh, law, Capacity::Consistent, &conditions).ok()?;
@@ -73,7 +73,7 @@ fn hollow() -> Option<f64> {
     let (outer_radius, inner_radius) = (0.1, 0.04);
     let ring = RingMesh { outer_radius, inner_radius, circumferential: 64, radial: 10, element: &Quad8, grading };
     let mesh = ring.build().ok()?;
-    let law = Conduction { conductivity: 50.0, heat_capacity: 3.7e6, thickness: 0.01 };
+    let law = Conduction { conductivity: 50.0, heat_capacity: 3.7e6, thickness: Thickness::Uniform(0.01) };
     let conditions = [held(BORE, History::Constant(100.0)), held(OUTSIDE, History::Constant(0.0))];
     let temperatures = ThermalSystem::new(&mesh, law, Capacity::Consistent, &conditions).ok()?.steady(0.0).ok()?;
     let place = mesh.locate([0.07, 0.0])?;

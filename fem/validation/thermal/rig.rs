@@ -6,7 +6,7 @@ use crate::process::{Assembled, ForwardModel, Rows, assembled};
 use crate::processes::thermal::Thermal;
 use crate::processes::thermal::follow::{Followed, Look};
 use crate::processes::thermal::forward::follow;
-use crate::processes::thermal::rows::{elongations, temperatures};
+use crate::processes::thermal::rows::{diameters, elongations, temperatures};
 use crate::solve::conduction::Run;
 pub(super) use crate::validation::bench::row;
 
@@ -38,6 +38,7 @@ pub fn rod(effects: &str) -> Heated {
     body(ROD, effects)
 }
 
+/// The value of the first of some rows, SI.
 fn observed(body: &Heated, rows: &Rows) -> f64 {
     body.as_ref().and_then(|b| b.observe(rows).ok()).map_or(f64::NAN, |v| v[0])
 }
@@ -55,6 +56,11 @@ pub fn rise(body: &Heated, x: f64, time: f64) -> f64 {
 /// Elongation, m.
 pub fn elongation(body: &Heated, time: f64) -> f64 {
     observed(body, &elongations(&[time]))
+}
+
+/// Change of the diameter of a circle (x and radius in m) at a time (s), um.
+pub fn diameter(body: &Heated, circle: [f64; 2], time: f64) -> f64 {
+    1e6 * observed(body, &diameters(&[circle], time))
 }
 
 /// A run with steps (s) to its end (s), and what is looked at.

@@ -133,10 +133,10 @@ impl Scene {
             let depth = ((setup.held_radius() - r) / (setup.held_radius() - setup.cut_radius())).max(0.0);
             let cut = bored * self.cut[node] * depth / r;
             let [u, v] = [0, 1].map(|axis| mix(standing.displacements[node][axis], turning.displacements[node][axis]));
-            let [xx, yy, xy] = [0, 1, 2].map(|k| mix(standing.stresses[node][k], turning.stresses[node][k]));
+            let [xx, yy, xy, across] = [0, 1, 2, 3].map(|k| mix(standing.stresses[node][k], turning.stresses[node][k]));
             displacement.push([u + cut * x, v + cut * y, 0.0]);
             stress.push([xx, yy, 0.0, xy, 0.0, 0.0]);
-            single.push(equivalent([xx, yy, xy]));
+            single.push(equivalent([xx, yy, xy, across]));
         }
         let mut bodies = vec![Drawn::thickened("ring", self.skin.clone())];
         let mut arrows = Vec::new();
@@ -246,6 +246,6 @@ fn angle_of([x, y]: [f64; 2]) -> f64 {
 }
 
 /// Equivalent stress of plane stress by von Mises, Pa.
-fn equivalent([x, y, shear]: [f64; STRAINS]) -> f64 {
+fn equivalent([x, y, shear, _]: [f64; STRAINS]) -> f64 {
     (x * x - x * y + y * y + 3.0 * shear * shear).sqrt()
 }

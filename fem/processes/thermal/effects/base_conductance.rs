@@ -1,7 +1,7 @@
 //! The base loses heat into what holds it.
 //!
 //! At x = 0 flows G·(T(0) − T_a) to the surroundings, G the conductance (W/K): a chuck, a table, a flange
-//! that stays as cold as the room. On a rectangle it is spread evenly over the left edge. A holder that
+//! that stays as cold as the room. On a rectangle or a body of revolution it is spread evenly over the left edge. A holder that
 //! warms up itself is left out.
 
 use super::super::machine::Effect;

@@ -40,7 +40,7 @@ pub static CONTACT_RESISTANCE: Effect<2> = Effect {
 fn a_rod(setup: &Setup) -> Result<(), String> {
     match setup.body.plane() {
         None => Ok(()),
-        Some(_) => Err("is known of rods, which it cuts through, not of plane bodies".into()),
+        Some(_) => Err(format!("is known of rods, which it cuts through, not of {}", setup.body.kind())),
     }
 }
 

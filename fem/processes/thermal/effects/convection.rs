@@ -1,8 +1,9 @@
 //! Surfaces lose heat to the surroundings.
 //!
 //! Everything that is free loses h·(T − T_a) per area, h the coefficient (W/(m² K)): the round surface
-//! of a rod, π·D per length, but not its ends; both faces of a plane body, and its edges, those to which a flux brings
-//! heat as well, but not such as have a film or a temperature of their own or are `covered`. Still air takes some 5 to 15 W/(m² K), a stream or oil more. There is one
+//! of a rod, π·D per length, but not its ends; both faces of a plane body, and its edges; all faces of a body of
+//! revolution; those to which a flux brings heat as well, but not such as have a film or a temperature of their own or
+//! are `covered`. Still air takes some 5 to 15 W/(m² K), a stream or oil more. There is one
 //! coefficient everywhere and always; radiation is in it as far as it is linear.
 
 use super::super::machine::Effect;

@@ -36,7 +36,7 @@ pub static HEATER_CAPACITY: Effect<2> = Effect {
 
 fn a_bare_source(setup: &Setup) -> Result<(), String> {
     if setup.body.plane().is_some() {
-        return Err("is known of rods, not of plane bodies".into());
+        return Err(format!("is known of rods, not of {}", setup.body.kind()));
     }
     match setup.sources.iter().any(|s| s.heater.is_none()) {
         true => Ok(()),

@@ -36,9 +36,10 @@ pub fn around(setup: &Setup, time: f64, nodes: &[[f64; 3]]) -> Vec<Body> {
             }
             bodies
         }
+        Shape::Plane(plane) if plane.thickness.is_revolved() => Vec::new(),
         Shape::Plane(plane) => {
             let ([left, right], [low, high]) = (plane.extent(0), plane.extent(1));
-            let (middle, half) = (0.5 * plane.width, 0.55 * plane.width);
+            let (middle, half) = (0.5 * plane.shown_thickness(), 0.55 * plane.shown_thickness());
             let strips = setup.boundaries.iter().filter_map(|boundary| match boundary.condition {
                 Condition::Moving { speed, from, .. } if boundary.edge == "top" => Some(from + speed * time),
                 _ => None,

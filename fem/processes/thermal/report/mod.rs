@@ -9,7 +9,7 @@ use super::body::Body;
 use super::boundary::Condition;
 use super::forward;
 use super::machine::Machine;
-use super::rows::{COORDINATES, ELONGATION, OBSERVABLES, TEMPERATURE_OF_ROW, TIME_OF_ROW, X, Y};
+use super::rows::{COORDINATES, DIAMETER, ELONGATION, OBSERVABLES, TEMPERATURE_OF_ROW, TIME_OF_ROW, X, Y};
 use super::setup::Setup;
 use super::surroundings::Surroundings;
 use crate::process::{Column, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme};
@@ -34,6 +34,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     let left = left_by_elements(machine, forward, scene.longest_step())?;
     let mut figures = Vec::new();
     figures.extend(scene.elongation.iter().flat_map(|values| growth(&scene.times, values)));
+    figures.extend(diameters(setup, &scene));
     figures.extend(hottest(setup, &scene));
     figures.extend(bow(&scene));
     figures.extend(ground::figure(&setup.body, &setup.boundaries, &scene));
@@ -75,11 +76,11 @@ fn left_by_elements(machine: &Machine, forward: &Forward, longest_step: f64) -> 
     Ok(apart / f64::from((1 << machine.setup.time.order()) - 1))
 }
 
-/// A measurement file of its own: a record observes the elongation or a temperature, the other cell is empty.
+/// A measurement file of its own: a record observes the elongation, a temperature or a diameter, other cells are empty.
 fn profile(setup: &Setup, rows: &Rows, observed: &[f64]) -> Table {
     let coordinates = [TIME_OF_ROW, X].into_iter().chain(setup.body.plane().map(|_| Y));
     let mut columns: Vec<Column> = coordinates.map(|i| Column::coordinate(&COORDINATES[i], &rows.columns[i])).collect();
-    let grows = rows.observable.contains(&ELONGATION).then_some(ELONGATION);
+    let grows = [ELONGATION, DIAMETER].into_iter().filter(|observable| rows.observable.contains(observable));
     columns.extend([TEMPERATURE_OF_ROW].into_iter().chain(grows).map(|observable| {
         let mut values = vec![f64::NAN; rows.len()];
         own(rows, observable).for_each(|row| values[row] = observed[row]);
@@ -114,6 +115,33 @@ fn growth(times: &[f64], values: &[f64]) -> Vec<Figure> {
         figures.push(Figure::new("reached", "63 % of it").line(text).quantity("value", TIME, after));
     }
     figures
+}
+
+/// Outside and in the bore the change of each diameter that is largest, when, and what is left in the end; the numbers
+/// are those of the diameter that changes most.
+fn diameters(setup: &Setup, scene: &Scene) -> Vec<Figure> {
+    let is_bore = |[x, radius]: [f64; 2]| setup.body.plane().is_some_and(|plane| radius < plane.usual_y(x));
+    let figure = |(key, label, inside): (&'static str, &'static str, bool)| {
+        let mut most: Option<([f64; 2], f64, f64, f64)> = None;
+        let mut lines = Vec::new();
+        for (circle, values) in scene.diameters.iter().filter(|(circle, _)| is_bore(*circle) == inside) {
+            let sizes: Vec<f64> = values.iter().map(|value| value.abs()).collect();
+            let place = first_extreme(&sizes, f64::gt);
+            let (value, at, end) = (*values.get(place)?, scene.times[place], *values.last()?);
+            let [shown, at_end] = [value, end].map(|change| MICRO.shown(change));
+            let (x, after) = (LENGTH.shown(circle[0]), TIME.shown(at));
+            lines.push(format!("{shown:+.3} at x = {x:.1} after {after:.1}; {at_end:+.3} in the end"));
+            if most.is_none_or(|(_, known, ..)| value.abs() > known.abs()) {
+                most = Some((*circle, value, at, end));
+            }
+        }
+        let ([x, radius], value, at, end) = most?;
+        let figure = lines.into_iter().fold(Figure::new(key, label), Figure::line);
+        let figure = figure.quantity("value", MICRO, value).quantity("at", TIME, at).quantity("end", MICRO, end);
+        Some(figure.quantity("x", LENGTH, x).quantity("diameter", LENGTH, 2.0 * radius))
+    };
+    let both = [("diameter", "change of diameter", false), ("bore", "change of bore", true)];
+    both.into_iter().filter_map(figure).collect()
 }
 
 /// The hottest of all nodes at all steps.
@@ -186,6 +214,19 @@ fn plots(rows: &Rows, observed: &[f64]) -> Vec<Plot> {
     let mut plots = Vec::new();
     if rows.observable.contains(&ELONGATION) {
         plots.push(plot("elongation [um] over time [min]".into(), ELONGATION, &|_| true));
+    }
+    // Of each circle a plot of its own.
+    let mut circles: Vec<[f64; 2]> =
+        own(rows, DIAMETER).map(|row| [rows.columns[X][row], rows.columns[Y][row]]).collect();
+    circles.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+    circles.dedup();
+    for [x, y] in circles {
+        let title = format!(
+            "diameter {:.1} at x = {:.1}, its change [um] over time [min]",
+            LENGTH.shown(2.0 * y),
+            LENGTH.shown(x)
+        );
+        plots.push(plot(title, DIAMETER, &|row| [rows.columns[X][*row], rows.columns[Y][*row]] == [x, y]));
     }
     let warm: Vec<usize> = own(rows, TEMPERATURE_OF_ROW).collect();
     let temperatures: Vec<f64> = warm.iter().map(|row| observed[*row]).collect();

@@ -6,7 +6,7 @@ use super::super::body::{Body, Plane};
 use super::super::follow::{Followed, Look, unsolvable};
 use super::super::forward::{follow, run};
 use super::super::machine::Machine;
-use super::super::rows::{TIME_OF_ROW, elongations, temperatures};
+use super::super::rows::{TIME_OF_ROW, elongations, of_circle, temperatures};
 use super::super::setup::Setup;
 use super::super::{plate, rod};
 use super::bodies;
@@ -33,6 +33,8 @@ pub struct Scene {
     pub elongation: Option<Vec<f64>>,
     /// Rise of the middle of a plane body over its ends at these times, m.
     pub bow: Option<Vec<f64>>,
+    /// Circles (distance from the left end, and radius, m), and the changes of their diameters at these times, m.
+    pub diameters: Vec<([f64; 2], Vec<f64>)>,
     /// The hottest node at any of these times.
     pub hottest: Option<Hottest>,
     /// Where the heat went.
@@ -109,7 +111,10 @@ impl Scene {
         };
         let mut looks = Vec::new();
         looks.extend(setup.body.has_ends().then_some(Look::Elongation));
-        looks.extend(setup.body.plane().map(|_| Look::Bow));
+        let is_sheet = setup.body.plane().is_some_and(|plane| !plane.thickness.is_revolved());
+        looks.extend(is_sheet.then_some(Look::Bow));
+        let circles = setup.circles.iter().map(|[x, y]| Look::Diameter { x: *x, y: *y });
+        looks.extend(circles);
         let Followed { track, energy } = follow(machine, &looks, &run, &mut watch)?;
         let seen = |look| looks.iter().position(|l| *l == look).map(|i| track.values[i].clone());
         let mut elongation = seen(Look::Elongation);
@@ -118,11 +123,17 @@ impl Scene {
         }
         let skin = Arc::new(match (&shape, &setup.body) {
             (Shape::Rod(x), Body::Rod(segments)) => bodies::rod(x, segments),
-            (Shape::Plane(flat), _) => Skin::thickened(&Grid::of(&flat.mesh), flat.plane.width),
+            (Shape::Plane(flat), _) => Skin::thickened(&Grid::of(&flat.mesh), flat.plane.shown_thickness()),
             _ => Skin::default(),
         });
         let bow = seen(Look::Bow);
-        Ok(Self { elongation, bow, hottest, times: track.times, pictures, energy, shape, setup, skin })
+        let grown = |circle: &[f64; 2]| {
+            let mut values = seen(Look::Diameter { x: circle[0], y: circle[1] })?;
+            forward.add_formulas(&of_circle(*circle, &track.times), &mut values);
+            Some((*circle, values))
+        };
+        let diameters = setup.circles.iter().filter_map(grown).collect();
+        Ok(Self { elongation, bow, diameters, hottest, times: track.times, pictures, energy, shape, setup, skin })
     }
 
     /// The longest step that was taken, s.
@@ -131,7 +142,7 @@ impl Scene {
     }
 
     /// Points are the nodes; displacement is growth from the base, of a plane body from the middle of its
-    /// left end with both ends level.
+    /// left end with both ends level, of a body of revolution from its left end.
     pub fn animation(self) -> Animation {
         let hottest = self.hottest.map_or(0.0, |h| h.time);
         Animation {
@@ -157,6 +168,9 @@ impl Scene {
         grid.point_fields.insert(1, Field::scalar("rise", TEMPERATURE_RISE, shown.clone()));
         let body = match &self.shape {
             Shape::Rod(_) => Drawn::new("rod", Role::Work, self.skin.clone()),
+            Shape::Plane(flat) if flat.plane.thickness.is_revolved() => {
+                Drawn::thickened("half section", self.skin.clone())
+            }
             Shape::Plane(_) => Drawn::thickened("plate", self.skin.clone()),
         };
         let bodies = std::iter::once(body).chain(bodies::around(&self.setup, *time, &grid.points)).collect();
@@ -210,16 +224,22 @@ impl Flat {
         let mut displacements = solved.unwrap_or_else(|_| vec![[f64::NAN; 2]; mesh.nodes().len()]);
         self.level(&mut displacements);
         let stresses = nodal_stresses(mesh, &self.law, &displacements, rises);
-        let stress = stresses.iter().map(|[xx, yy, xy]| [*xx, *yy, 0.0, *xy, 0.0, 0.0]).collect();
+        let stress = stresses.iter().map(|[xx, yy, xy, across]| [*xx, *yy, *across, *xy, 0.0, 0.0]).collect();
         let displacement = displacements.iter().map(|[u, v]| [*u, *v, 0.0]).collect();
         grid.point_fields.push(Field::vector("displacement", LENGTH, displacement));
         grid.point_fields.push(Field::tensor("stress", STRESS, stress));
         grid
     }
 
-    /// Takes the rigid motion out: the middle of the left end stays, that of the right end keeps its height.
+    /// Takes the rigid motion out: the middle of the left end stays, that of the right end keeps its height. A body of
+    /// revolution can slide alone: its left end stays at the outside.
     fn level(&self, displacements: &mut [[f64; 2]]) {
         let [from, to] = self.plane.extent(0);
+        if self.plane.thickness.is_revolved() {
+            let base = displacements[self.mesh.nearest_node([from, self.plane.usual_y(from)])][0];
+            displacements.iter_mut().for_each(|own| own[0] -= base);
+            return;
+        }
         let at = |x: f64| {
             let place = self.mesh.locate([x, self.plane.middle()]);
             let node = self.mesh.nearest_node([x, self.plane.middle()]);
