@@ -33,8 +33,21 @@ pub fn resolved(model: &Model, measurements: &Measurements, observed: &[f64]) ->
     if problems.is_empty() { Ok(terms.into_iter().flatten().collect()) } else { Err(problems) }
 }
 
+/// The observable on which a term acts: that which it names, or the only one of the file that has the unit of its size.
+fn meant(term: &Term, measurements: &Measurements) -> Option<usize> {
+    let mut of_unit = measurements.observables.iter().map(|s| s.position).filter(|own| term.among.contains(own));
+    term.observable.or(match (of_unit.next(), of_unit.next()) {
+        (Some(only), None) => Some(only),
+        _ => None,
+    })
+}
+
 fn is_in_file(term: &Term, measurements: &Measurements) -> bool {
-    term.observable.is_none_or(|own| measurements.observables.iter().any(|s| s.position == own))
+    let has = |own: usize| measurements.observables.iter().any(|s| s.position == own);
+    match term.observable {
+        Some(own) => has(own),
+        None => term.among.is_empty() || term.among.iter().any(|own| has(*own)),
+    }
 }
 
 /// The place of a term's table.
@@ -43,6 +56,7 @@ fn place(model: &Model, table: &str) -> Option<Range<usize>> {
 }
 
 fn resolve(model: &Model, term: &Term, measurements: &Measurements, observed: &[f64]) -> Result<Term, Problem> {
+    let term = &Term { observable: meant(term, measurements), ..term.clone() };
     let (name, file) = (format!("measurement.{}", term.table), &measurements.name);
     let several = measurements.observables.len() > 1;
     let is_of_one = matches!(term.effect.size, Size::OfObservable(..)) || matches!(term.effect.acts, Acts::Shows(_));
@@ -132,14 +146,16 @@ pub fn of_design(model: &Model, measurements: &Measurements) -> Vec<Term> {
     let is_of_rows = |t: &Term| t.covariance.is_some() || !t.rows.is_empty();
     let is_told = |t: &Term| !t.size.is_nan() || t.effect.acts.is_reading();
     let of = |t: &&Term| !is_of_rows(t) && is_told(t) && is_in_file(t, measurements);
-    model.measurement.iter().filter(of).cloned().collect()
+    let placed = |t: &Term| Term { observable: meant(t, measurements), ..t.clone() };
+    model.measurement.iter().filter(of).map(placed).collect()
 }
 
 /// Cautions about terms, resolved to the rows of a file, that cannot be meant as they stand.
 pub fn cautions(model: &Model, terms: &[Term], measurements: &Measurements) -> Vec<String> {
     let absent = model.measurement.iter().filter(|t| !is_in_file(t, measurements)).map(|t| {
-        let name = t.observable.map_or("", |o| &model.process.observables()[o].name);
-        format!("`measurement.{}` has no effect: {} has no {name}", t.table, measurements.name)
+        let own = t.observable.into_iter().chain(t.among.iter().copied());
+        let names: Vec<&str> = own.map(|o| &*model.process.observables()[o].name).collect();
+        format!("`measurement.{}` has no effect: {} has no {}", t.table, measurements.name, names.join(" or "))
     });
     let own = terms.iter().filter_map(|term| {
         caution(&*model.process, term, measurements).map(|text| format!("`measurement.{}` {text}", term.table))

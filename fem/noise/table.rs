@@ -144,10 +144,12 @@ fn sized(mut term: Term, table: &Reader, process: &dyn Process) -> Option<Term> 
     match size(effect, &observed(process, term.observable), &text) {
         Ok((value, of)) => {
             term.size = value;
-            // A unit that only one of several observables has tells on which the effect acts.
+            // A unit that not all of several observables have tells on which the effect acts.
             let is_of_observable = matches!(effect.size, Size::OfObservable(..));
-            if let ([only], true) = (&of[..], of.len() < process.observables().len() && is_of_observable) {
-                term.observable = Some(*only);
+            match &of[..] {
+                _ if !is_of_observable || of.len() == process.observables().len() => {}
+                [only] => term.observable = Some(*only),
+                _ => term.among = of,
             }
             Some(term)
         }

@@ -217,6 +217,8 @@ pub struct Term {
     pub period: Option<f64>,
     /// The observable on which it acts, by its position in the process's list; `None` for all.
     pub observable: Option<usize>,
+    /// The observables of which its size has the unit, where that leaves several of more; empty elsewhere.
+    pub among: Vec<usize>,
     /// Rows, from 0: those that are outlying, or the first after a step.
     pub rows: Vec<usize>,
     /// The file in which the rows were counted before they were found in the measurements; `None` for all.
@@ -238,6 +240,7 @@ impl Term {
             range: None,
             period: None,
             observable: None,
+            among: Vec::new(),
             rows: Vec::new(),
             file: None,
             size: 0.0,
@@ -252,7 +255,8 @@ impl Term {
 
     /// Whether it acts on a row.
     pub fn is_of(&self, measurements: &Measurements, row: usize) -> bool {
-        self.observable.is_none_or(|own| measurements.rows.observable[row] == own)
+        let seen = measurements.rows.observable[row];
+        self.observable.map_or_else(|| self.among.is_empty() || self.among.contains(&seen), |own| own == seen)
     }
 
     /// Kind of its size in a file.

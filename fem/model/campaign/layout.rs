@@ -106,6 +106,7 @@ impl Layout {
         term.by.iter_mut().for_each(|by| *by = self.coordinate(test, *by));
         term.along.iter_mut().for_each(|along| along.coordinate = self.coordinate(test, along.coordinate));
         term.observable = term.observable.map(|own| self.observable(test, own));
+        term.among.iter_mut().for_each(|own| *own = self.observable(test, *own));
         term
     }
 }
