@@ -118,13 +118,20 @@ impl Settled {
         }
     }
 
-    /// A plane body with the displacement (m) of each of its nodes, upwards along y; none of a beam.
+    /// The plane body; none of a beam.
+    pub fn body(&self) -> Option<&Body> {
+        match &*self.part {
+            Flexible::Beam(_) => None,
+            Flexible::Body(body) => Some(body),
+        }
+    }
+
+    /// Displacement (x, y) of the nodes of its body, y upwards, m.
     ///
     /// # Errors
     /// The equations cannot be solved.
-    pub fn body(&self) -> Option<Result<(&Body, Vec<[f64; 2]>), ElasticError>> {
-        let Flexible::Body(body) = &*self.part else { return None };
-        Some(body.displaced(&self.forces, self.rigid).map(|displaced| (body, displaced)))
+    pub fn displaced(&self, body: &Body) -> Result<Vec<[f64; 2]>, ElasticError> {
+        body.displaced(&self.forces, self.rigid)
     }
 }
 
