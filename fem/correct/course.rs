@@ -1,5 +1,6 @@
 //! The rows of a correction: every place of every contour, as the model's own programme has them.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use crate::model::Model;
@@ -30,19 +31,41 @@ impl Programme {
     }
 
     /// A command that changes nothing, at the programme's own places of every contour, or at `least` evenly spaced ones where
-    /// it has fewer.
-    pub fn command(&self, commanded: &Commanded, least: usize) -> Command {
-        let places = |own: &[usize]| -> Vec<f64> {
-            let own: Vec<f64> = own.iter().map(|row| self.rows.columns[commanded.along][*row]).collect();
-            match own[..] {
-                [low, .., high] if own.len() < least => {
-                    (0..least).map(|i| low + (high - low) * i as f64 / (least - 1) as f64).collect()
-                }
-                _ => own,
-            }
+    /// it has fewer; beside its own ones where the part has valleys between, in which no pass makes anything.
+    pub fn command(&self, model: &Model, commanded: &Commanded, least: usize) -> Command {
+        let own_places = |(_, own): &(Vec<f64>, Vec<usize>)| -> Vec<f64> {
+            own.iter().map(|row| self.rows.columns[commanded.along][*row]).collect()
         };
-        let contours = self.contours.iter().map(|(apart, own)| (apart.clone(), places(own)));
+        let own: Vec<Vec<f64>> = self.contours.iter().map(own_places).collect();
+        let evenly = |own: &Vec<f64>| match own[..] {
+            [low, .., high] if own.len() < least => {
+                (0..least).map(|i| low + (high - low) * i as f64 / (least - 1) as f64).collect()
+            }
+            _ => own.clone(),
+        };
+        let asked: Vec<Vec<f64>> = own.iter().map(evenly).collect();
+        let reached = self.reached(model, commanded, &asked);
+        let places = own.into_iter().zip(asked).zip(reached).map(|((own, asked), reached)| {
+            if reached.len() == asked.len() {
+                return asked;
+            }
+            let mut all = [own, reached].concat();
+            all.sort_by(f64::total_cmp);
+            all.dedup();
+            all
+        });
+        let contours = self.contours.iter().map(|(apart, _)| apart.clone()).zip(places);
         Command::new(contours, commanded.period)
+    }
+
+    /// Those of places of every contour at which something is made.
+    pub fn reached(&self, model: &Model, commanded: &Commanded, places: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let wrong = model.system.misplaced(&self.rows(model, commanded, places));
+        let beside: HashSet<usize> =
+            wrong.into_iter().filter(|own| own.coordinate == commanded.along).map(|own| own.row).collect();
+        let mut rows = 0..;
+        let mut is_made = |_: &&f64| rows.next().is_some_and(|row| !beside.contains(&row));
+        places.iter().map(|own| own.iter().filter(&mut is_made).copied().collect()).collect()
     }
 
     /// The rows at places of the contours, given contour by contour; what the model cannot fill in is as in the programme,

@@ -109,7 +109,7 @@ pub fn correct(model: &Model, progress: &Progress) -> Result<Option<Correction>,
 /// The rows of every contour of a model's programme, and a command that changes none of them.
 pub fn contours(model: &Model, commanded: &Commanded) -> (Rows, Command) {
     let programme = Programme::of(model, commanded);
-    let nothing = programme.command(commanded, LEAST_PLACES);
+    let nothing = programme.command(model, commanded, LEAST_PLACES);
     (programme.rows(model, commanded, &course::places(&nothing)), nothing)
 }
 
@@ -126,13 +126,14 @@ fn course(model: &Model, commanded: &Commanded, values: &[f64]) -> Result<Course
     let programme = Programme::of(model, commanded);
     let mut least = LEAST_PLACES;
     loop {
-        let nothing = programme.command(commanded, least);
+        let nothing = programme.command(model, commanded, least);
         let rows = programme.rows(model, commanded, &course::places(&nothing));
         let aims = model.system.aims(&rows);
         let made = |command: &Arc<Command>| model.commanded_at(values, command)?.observe(&rows);
         let before = made(&Arc::new(nothing.clone()))?;
         let solved = solve::solve(&nothing, (&before, &aims), commanded, made)?;
-        let middles = programme.rows(model, commanded, &course::middles(&nothing));
+        let middles = programme.reached(model, commanded, &course::middles(&nothing));
+        let middles = programme.rows(model, commanded, &middles);
         let aimed = model.system.aims(&middles);
         let made = model.commanded_at(values, &solved.command)?.observe(&middles)?;
         let worst = |made: &[f64], aims: &[f64]| {

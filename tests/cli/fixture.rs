@@ -283,3 +283,21 @@ fn rows_off_the_part_are_refused() {
         assert!(answer.err.contains(message), "{}", answer.err);
     }
 }
+
+/// What is corrected are the faces that are milled: a valley between them is no place of the contour.
+#[test]
+fn a_correction_keeps_to_the_faces_of_the_top() {
+    let place = Place::new();
+    place.write("bosses.toml", model("bosses.toml"));
+    assert_eq!(place.fem(&["run", "bosses.toml", "-o", "out"]).status, 0);
+    let answer = place.fem(&["correct", "bosses.toml", "-o", "corrected"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let places = place.column("corrected/correction.csv", "x");
+    assert!(places.iter().all(|x| !(60.0 < *x && *x < 260.0)), "{places:?}");
+    let [low, high] =
+        [f64::min, f64::max].map(|of| place.column("out/profile.csv", "height_error").into_iter().reduce(of).unwrap());
+    // The same part is told by both commands.
+    for told in [low, high] {
+        assert!(answer.out.contains(&format!("{told:+.3}")), "{told:+.3}\n{}", answer.out);
+    }
+}
