@@ -59,7 +59,24 @@ const SAME: &[(&[&str], &[&str])] = &[
             "真円度",
         ],
     ),
-    (&["diameter"], &["durchmesser", "diametre", "diametro", "srednica", "prumer", "диаметр", "直径"]),
+    (
+        &["diameter"],
+        &[
+            "durchmesser",
+            // Ist-Ø, without the stroke.
+            "ist-o",
+            "ist_o",
+            "istdurchmesser",
+            "ist-durchmesser",
+            "ist_durchmesser",
+            "diametre",
+            "diametro",
+            "srednica",
+            "prumer",
+            "диаметр",
+            "直径",
+        ],
+    ),
     (
         &["position", "x"],
         &[

@@ -386,3 +386,13 @@ fn a_report_is_imported() {
         assert!(answer.status == 2 && answer.err.contains(words), "{words}: {}", answer.err);
     }
 }
+
+/// A shop's own heading of a diameter that was measured, beside the one that was asked for.
+#[test]
+fn a_measured_diameter_is_known_by_its_sign() {
+    let place = Place::new();
+    place.write("messung.csv", "Prüfprotokoll;Drehmaschine 4\n;\nTeil Nr.;x [mm];Ist-Ø [mm];Soll-Ø [mm]\n1;10,0;50,012;50,000\n1;99,5;50,016;50,000\n");
+    let answer = place.fem(&["import", "messung.csv", "--process", "turning", "-o", "taken.csv"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert!(place.read("taken.csv").contains("1,99.5,50.016"), "{}", place.read("taken.csv"));
+}
