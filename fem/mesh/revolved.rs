@@ -12,6 +12,7 @@
 
 use super::lattice::{Cell, Direction};
 use super::ring::half_step;
+use super::spacing::Stretches;
 use super::{BORE, Lattice, Mesh, MeshError, OUTSIDE};
 use crate::element::plane::PlaneElement;
 
@@ -50,12 +51,6 @@ pub struct RevolvedMesh {
     pub sections: Vec<f64>,
     /// The element.
     pub element: &'static dyn PlaneElement,
-}
-
-/// Borders of stretches in one direction (m), and the number of cells in each.
-struct Stretches {
-    borders: Vec<f64>,
-    cells: Vec<usize>,
 }
 
 impl RevolvedMesh {
@@ -144,8 +139,8 @@ impl RevolvedMesh {
             }
         }
         borders.sort_by(f64::total_cmp);
-        let mut stretches = self.divided(borders);
-        stretches.refine([from, to]);
+        let mut stretches = Stretches::new(borders, self.size);
+        stretches.refine([from, to], LEAST);
         stretches
     }
 
@@ -155,36 +150,8 @@ impl RevolvedMesh {
         radii.sort_by(f64::total_cmp);
         let largest = radii.last().copied().unwrap_or(0.0);
         radii.dedup_by(|b, a| *b - *a <= SAME * largest);
-        let mut stretches = self.divided(radii);
-        self.walls.iter().for_each(|wall| stretches.refine(wall.radii));
+        let mut stretches = Stretches::new(radii, self.size);
+        self.walls.iter().for_each(|wall| stretches.refine(wall.radii, LEAST));
         stretches
-    }
-
-    fn divided(&self, borders: Vec<f64>) -> Stretches {
-        let cells = borders.windows(2).map(|ends| ((ends[1] - ends[0]) / self.size - 1e-9).ceil().max(1.0) as usize);
-        Stretches { cells: cells.collect(), borders }
-    }
-}
-
-impl Stretches {
-    /// Parts the cells between two places until there are enough.
-    fn refine(&mut self, [low, high]: [f64; 2]) {
-        let is_between = |i: &usize| (low..high).contains(&(0.5 * (self.borders[*i] + self.borders[*i + 1])));
-        let own: Vec<usize> = (0..self.cells.len()).filter(is_between).collect();
-        let count: usize = own.iter().map(|i| self.cells[*i]).sum();
-        if count < LEAST && count > 0 {
-            own.into_iter().for_each(|i| self.cells[i] *= LEAST.div_ceil(count));
-        }
-    }
-
-    /// All borders of cells, m.
-    fn lines(&self) -> Vec<f64> {
-        let mut lines = vec![self.borders[0]];
-        for (ends, cells) in self.borders.windows(2).zip(&self.cells) {
-            let step = (ends[1] - ends[0]) / *cells as f64;
-            lines.extend((1..*cells).map(|i| ends[0] + step * i as f64));
-            lines.push(ends[1]);
-        }
-        lines
     }
 }

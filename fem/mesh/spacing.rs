@@ -131,3 +131,40 @@ fn shares(weights: &[f64], count: usize) -> Vec<usize> {
     }
     shares
 }
+
+/// Stretches in one direction between borders that cells have too, each with as many equal cells.
+pub(super) struct Stretches {
+    /// m.
+    pub borders: Vec<f64>,
+    /// Number of cells in each.
+    pub cells: Vec<usize>,
+}
+
+impl Stretches {
+    /// Cells no longer than `size` (m) between ascending `borders` (m).
+    pub fn new(borders: Vec<f64>, size: f64) -> Self {
+        let cells = borders.windows(2).map(|ends| ((ends[1] - ends[0]) / size - 1e-9).ceil().max(1.0) as usize);
+        Self { cells: cells.collect(), borders }
+    }
+
+    /// Parts the cells between two places until there are as many as `least`.
+    pub fn refine(&mut self, [low, high]: [f64; 2], least: usize) {
+        let is_between = |i: &usize| (low..high).contains(&(0.5 * (self.borders[*i] + self.borders[*i + 1])));
+        let own: Vec<usize> = (0..self.cells.len()).filter(is_between).collect();
+        let count: usize = own.iter().map(|i| self.cells[*i]).sum();
+        if count < least && count > 0 {
+            own.into_iter().for_each(|i| self.cells[i] *= least.div_ceil(count));
+        }
+    }
+
+    /// All borders of cells, m.
+    pub fn lines(&self) -> Vec<f64> {
+        let mut lines = vec![self.borders[0]];
+        for (ends, cells) in self.borders.windows(2).zip(&self.cells) {
+            let step = (ends[1] - ends[0]) / *cells as f64;
+            lines.extend((1..*cells).map(|i| ends[0] + step * i as f64));
+            lines.push(ends[1]);
+        }
+        lines
+    }
+}

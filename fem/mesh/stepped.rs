@@ -8,6 +8,7 @@
 
 use super::lattice::{Cell, Direction};
 use super::ring::half_step;
+use super::spacing::Stretches;
 use super::{Lattice, Mesh, MeshError};
 use crate::element::plane::PlaneElement;
 
@@ -46,10 +47,10 @@ impl SteppedMesh<'_> {
         heights.sort_by(f64::total_cmp);
         heights.dedup_by(|b, a| *b - *a <= SAME * *b);
         let levels: Vec<f64> = [0.0].into_iter().chain(heights).collect();
-        let y: Vec<f64> = self.divided(&levels);
+        let y = Stretches::new(levels, self.size).lines();
         let mut ends = vec![0.0];
         self.pieces.iter().for_each(|(length, _)| ends.push(ends[ends.len() - 1] + length));
-        let x = self.divided(&ends);
+        let x = Stretches::new(ends.clone(), self.size).lines();
         // A cell belongs to the piece around its middle.
         let middle = |borders: &[f64], i: usize| 0.5 * (borders[i] + borders[i + 1]);
         let height = |column: usize| {
@@ -63,16 +64,5 @@ impl SteppedMesh<'_> {
         };
         let is_filled = |[column, row]: Cell| middle(&y, row) < height(column);
         lattice.filled(is_filled, name, |i, j| [half_step(&x, i), half_step(&y, j)])
-    }
-
-    /// Borders of cells between places that are borders themselves.
-    fn divided(&self, stops: &[f64]) -> Vec<f64> {
-        let mut borders = vec![stops[0]];
-        for ends in stops.windows(2) {
-            let count = ((ends[1] - ends[0]) / self.size * (1.0 - SAME)).ceil().max(1.0) as usize;
-            let inner = (1..count).map(|i| ends[0] + (ends[1] - ends[0]) * (i as f64 / count as f64));
-            borders.extend(inner.chain([ends[1]]));
-        }
-        borders
     }
 }

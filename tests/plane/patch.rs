@@ -2,7 +2,9 @@
 
 use fem::element::plane::{ALL, Elasticity, PlaneElement, PlaneState};
 use fem::mesh::{Lattice, Mesh};
-use fem::solve::elastic::{ElasticSystem, Loads, Prescribed, nodal_stresses};
+use fem::solve::elastic::{ElasticSystem, Loads, nodal_stresses};
+
+use crate::held_border;
 
 /// 3 × 4 cells whose inner nodes are shaken out of place.
 fn shaken(element: &'static dyn PlaneElement) -> Mesh {
@@ -25,17 +27,7 @@ fn constant_strain_is_exact_on_distorted_meshes() {
         for state in [PlaneState::Stress, PlaneState::Strain] {
             let mesh = shaken(*element);
             let law = Elasticity::new(state, 210e9, 0.3, 0.0, 0.02).unwrap();
-            let mut border: Vec<u32> = mesh.names().flat_map(|name| mesh.nodes_on(name).unwrap()).collect();
-            border.sort_unstable();
-            border.dedup();
-            let held: Vec<Prescribed> = border
-                .iter()
-                .flat_map(|&node| {
-                    let displacement = motion(mesh.nodes()[node as usize]);
-                    [0, 1].map(|axis| Prescribed { node: node as usize, axis, displacement: displacement[axis] })
-                })
-                .collect();
-            assert!(border.len() < mesh.nodes().len());
+            let held = held_border(&mesh, motion);
             let solution = ElasticSystem::held(&mesh, law, &held).unwrap().solve(&Loads::none(&mesh)).unwrap();
             for (node, moved) in mesh.nodes().iter().zip(&solution.nodes) {
                 let exact = motion(*node);

@@ -8,7 +8,7 @@ use fem::mesh::{Lattice, Mesh, RectangleMesh};
 use fem::solve::conduction::{Condition, History, Run, Scheme, ThermalSystem};
 use fem::solve::elastic::{ElasticError, ElasticSystem, Loads, Prescribed, nodal_stresses};
 
-use crate::order;
+use crate::{held_border, order};
 
 /// Of an element of second order, or of first.
 fn is_quadratic(element: &dyn PlaneElement) -> bool {
@@ -40,17 +40,7 @@ fn even_strain_is_exact_on_distorted_meshes() {
     for (element, radius) in ALL.iter().flat_map(|element| [(element, 0.0), (element, 0.3)]) {
         let mesh = shaken(*element, radius);
         let law = Elasticity::revolved(210e9, 0.3, 0.0).unwrap();
-        let mut border: Vec<u32> = mesh.names().flat_map(|name| mesh.nodes_on(name).unwrap()).collect();
-        border.sort_unstable();
-        border.dedup();
-        let held: Vec<Prescribed> = border
-            .iter()
-            .flat_map(|&node| {
-                let displacement = motion(mesh.nodes()[node as usize]);
-                [0, 1].map(|axis| Prescribed { node: node as usize, axis, displacement: displacement[axis] })
-            })
-            .collect();
-        assert!(border.len() < mesh.nodes().len());
+        let held = held_border(&mesh, motion);
         let solution = ElasticSystem::held(&mesh, law, &held).unwrap().solve(&Loads::none(&mesh)).unwrap();
         for (node, moved) in mesh.nodes().iter().zip(&solution.nodes) {
             let exact = motion(*node);

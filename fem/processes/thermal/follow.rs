@@ -15,8 +15,8 @@ pub enum Look {
     Diameter {
         /// Distance of the circle from the left end, m.
         x: f64,
-        /// Its radius, m.
-        y: f64,
+        /// Its radius, m; the outside where it is `None`.
+        y: Option<f64>,
     },
     /// Rise of temperature at a place, K.
     Rise {

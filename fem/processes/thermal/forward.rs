@@ -16,12 +16,9 @@ use crate::units::TIME;
 /// # Errors
 /// The body cannot be computed.
 pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
-    let plane = machine.setup.body.plane();
-    let usual = |x: f64| plane.map_or(f64::NAN, |plane| plane.usual_y(x));
-    let diameter = |x: f64, y: Option<f64>| Look::Diameter { x, y: y.unwrap_or_else(|| usual(x)) };
     let look = |row: usize| match rows.observable[row] {
         ELONGATION => Look::Elongation,
-        DIAMETER => diameter(rows.get(X, row).unwrap_or(f64::NAN), rows.get(Y, row)),
+        DIAMETER => Look::Diameter { x: rows.get(X, row).unwrap_or(f64::NAN), y: rows.get(Y, row) },
         _ => Look::Rise { x: rows.get(X, row).unwrap_or(f64::NAN), y: rows.get(Y, row) },
     };
     let (looks, of_row) = numbered((0..rows.len()).map(look));

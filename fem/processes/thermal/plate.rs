@@ -174,14 +174,15 @@ fn probes(setup: &Setup, plane: &Plane, mesh: &Mesh, looks: &[Look]) -> Result<V
         Some(_) => Some(ElasticSystem::free(mesh, elasticity(setup, plane)?).map_err(|e| unsolvable(&e))?),
         None => None,
     };
+    let place = |x: f64, y: Option<f64>| [x, y.unwrap_or_else(|| plane.usual_y(x))];
     let probe = |look: &Look| match (look, &elastic) {
         (Look::Rise { x, y }, _) => {
-            let point = [*x, y.unwrap_or(plane.usual_y(*x))];
+            let point = place(*x, *y);
             let place = mesh.locate(point).ok_or_else(|| off_body(point))?;
             Ok(Probe { weights: place.shares })
         }
         (Look::Elongation, Some(elastic)) => weighed(elastic, pulled(mesh, elastic.law())?),
-        (Look::Diameter { x, y }, Some(elastic)) => weighed(elastic, widened(mesh, [*x, *y])?),
+        (Look::Diameter { x, y }, Some(elastic)) => weighed(elastic, widened(mesh, place(*x, *y))?),
         (Look::Bow, Some(elastic)) => weighed(elastic, bent(mesh, plane)?),
         (_, None) => Ok(Probe { weights: Vec::new() }),
     };

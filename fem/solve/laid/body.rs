@@ -39,7 +39,6 @@ impl PartialEq for Body {
 /// The body with E = b = 1.
 #[derive(Debug)]
 pub struct Unit {
-    mesh: Arc<Mesh>,
     system: ElasticSystem<Arc<Mesh>>,
     underside: Vec<Stretch>,
     top: Vec<Stretch>,
@@ -88,17 +87,16 @@ impl Unit {
         let ends = ends(&underside).map(|own| motions[own].0);
         let held = [(ends[0], 0), (ends[0], 1), (ends[1], 1)];
         let held = held.map(|(node, axis)| Prescribed { node, axis, displacement: 0.0 });
-        let mesh = Arc::new(mesh);
-        let system = ElasticSystem::held(mesh.clone(), law, &held)?;
+        let system = ElasticSystem::held(Arc::new(mesh), law, &held)?;
         let column = |(node, way): &(usize, Way)| -> Result<Vec<f64>, ElasticError> {
-            let mut loads = Loads::none(&mesh);
+            let mut loads = Loads::none(system.mesh());
             loads.add_force(*node, way.direction());
             let moved = system.solve(&loads)?.nodes;
             Ok(motions.iter().map(|(node, way)| way.of(moved[*node])).collect())
         };
         let columns: Vec<f64> = motions.par_iter().map(column).collect::<Result<Vec<_>, _>>()?.concat();
         let influence = DMatrix::from_vec(motions.len(), motions.len(), columns);
-        Ok(Self { mesh, system, underside, top, motions, influence, slack })
+        Ok(Self { system, underside, top, motions, influence, slack })
     }
 
     /// Weights of the motions of a spot, of the higher side where two of a face begin at its middle.
@@ -162,13 +160,13 @@ impl Body {
     }
 
     /// Its mesh.
-    pub fn mesh(&self) -> Arc<Mesh> {
-        self.unit.mesh.clone()
+    pub fn mesh(&self) -> &Mesh {
+        self.unit.system.mesh()
     }
 
-    /// Stress (σxx, σyy, σxy) at every node for these displacements of the nodes (m), Pa.
+    /// Stress (σxx, σyy, σxy, that across) at every node for these displacements of the nodes (m), Pa.
     pub fn stresses(&self, displacements: &[[f64; 2]]) -> Vec<[f64; STRAINS]> {
-        let own = nodal_stresses(&self.unit.mesh, self.unit.system.law(), displacements, &[]);
+        let own = nodal_stresses(self.mesh(), self.unit.system.law(), displacements, &[]);
         own.into_iter().map(|stress| stress.map(|stress| stress * self.youngs_modulus)).collect()
     }
 
@@ -187,7 +185,7 @@ impl Body {
 
     /// Displacements (x, y) of all nodes under downward forces that balance, beside the rigid motion a + b·x downwards, m.
     pub(super) fn displaced(&self, forces: &[(Spot, f64)], (a, b): (f64, f64)) -> Result<Vec<[f64; 2]>, ElasticError> {
-        let mut loads = Loads::none(&self.unit.mesh);
+        let mut loads = Loads::none(self.mesh());
         for (spot, force) in forces {
             for (number, weight) in self.unit.weights(spot) {
                 let (node, way) = self.unit.motions[number];
@@ -196,7 +194,7 @@ impl Body {
         }
         let moved = self.unit.system.solve(&loads)?.nodes;
         let with = |([x, y], [u, v]): (&[f64; 2], [f64; 2])| [u + b * y, v - a - b * x];
-        Ok(self.unit.mesh.nodes().iter().zip(moved).map(with).collect())
+        Ok(self.mesh().nodes().iter().zip(moved).map(with).collect())
     }
 }
 

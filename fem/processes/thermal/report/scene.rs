@@ -113,7 +113,7 @@ impl Scene {
         looks.extend(setup.body.has_ends().then_some(Look::Elongation));
         let is_sheet = setup.body.plane().is_some_and(|plane| !plane.thickness.is_revolved());
         looks.extend(is_sheet.then_some(Look::Bow));
-        let circles = setup.circles.iter().map(|[x, y]| Look::Diameter { x: *x, y: *y });
+        let circles = setup.circles.iter().map(|[x, y]| Look::Diameter { x: *x, y: Some(*y) });
         looks.extend(circles);
         let Followed { track, energy } = follow(machine, &looks, &run, &mut watch)?;
         let seen = |look| looks.iter().position(|l| *l == look).map(|i| track.values[i].clone());
@@ -128,7 +128,7 @@ impl Scene {
         });
         let bow = seen(Look::Bow);
         let grown = |circle: &[f64; 2]| {
-            let mut values = seen(Look::Diameter { x: circle[0], y: circle[1] })?;
+            let mut values = seen(Look::Diameter { x: circle[0], y: Some(circle[1]) })?;
             forward.add_formulas(&of_circle(*circle, &track.times), &mut values);
             Some((*circle, values))
         };
