@@ -62,10 +62,15 @@ impl Machine {
     /// The same in elements twice as long, where they are the program's own, and in these steps (s).
     #[must_use]
     pub fn coarser(&self, step: f64) -> Self {
-        let setup = &*self.setup;
-        let time = Time { step: Some(step), ..setup.time };
-        let coarse = Setup { time, element_size: 2.0 * setup.element_size, ..setup.clone() };
-        Self { setup: Arc::new(coarse), ..self.clone() }
+        let coarse = Setup { element_size: 2.0 * self.setup.element_size, ..(*self.setup).clone() };
+        Self { setup: Arc::new(coarse), ..self.clone() }.with_step(step)
+    }
+
+    /// The same in these steps (s).
+    #[must_use]
+    pub fn with_step(&self, step: f64) -> Self {
+        let time = Time { step: Some(step), ..self.setup.time };
+        Self { setup: Arc::new(Setup { time, ..(*self.setup).clone() }), ..self.clone() }
     }
 
     /// Rise of the surroundings over the body's temperature at the start, over time, K: as the model says,

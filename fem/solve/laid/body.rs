@@ -63,7 +63,7 @@ struct Side {
     to: f64,
     /// Numbers of its nodes' motions down: begin, middle, end.
     down: [usize; 3],
-    /// Those along the part, where they are known.
+    /// Those along the part; none of the top, along which nothing pulls.
     along: Option<[usize; 3]>,
 }
 
@@ -73,15 +73,15 @@ type Weights = Vec<(usize, f64)>;
 impl Unit {
     /// Of a mesh of 8-node quadrilaterals whose sides `underside` and `top` are straight and run along x, the first of them on one height.
     ///
-    /// `law` is that of E = b = 1; motions along the underside are solved for where it `slides`.
+    /// `law` is that of E = b = 1.
     ///
     /// # Errors
     /// The mesh has no such sides, or its equations cannot be solved.
-    pub fn new(mesh: Mesh, law: Elasticity, slides: bool) -> Result<Self, ElasticError> {
+    pub fn new(mesh: Mesh, law: Elasticity) -> Result<Self, ElasticError> {
         let mut motions = Motions::default();
         let length = mesh.nodes().iter().fold(0.0, |length: f64, node| length.max(node[0]));
         let slack = SAME * length;
-        let underside = stretches(&mesh, "underside", slack, |node| motions.of_side(node, slides))?;
+        let underside = stretches(&mesh, "underside", slack, |node| motions.of_side(node, true))?;
         let top = stretches(&mesh, "top", slack, |node| motions.of_side(node, false))?;
         let motions = motions.all;
         let ends = ends(&underside).map(|own| motions[own].0);

@@ -79,6 +79,12 @@ pub enum LaidError {
         /// Place of the last support, m.
         to: f64,
     },
+    /// It stands on one support and may lean on either of its neighbours.
+    #[error("the part rocks: all that presses on it acts above the support at {:.3} mm, and none beside that carries", 1e3 * at)]
+    Rocks {
+        /// Place of the support, m.
+        at: f64,
+    },
     /// Newton's method or the choice of supports did not come to an end.
     #[error("no equilibrium of the part on its supports under {load} N")]
     NoEquilibrium {

@@ -38,7 +38,10 @@ pub fn settle(part: &Arc<Flexible>, supports: &[Support], loads: &[Load]) -> Res
             true => wrong.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)),
             false => wrong.into_iter().next(),
         };
-        let Some((changed, _)) = worst else { return Ok(finish(part, supports, &carrying, loads, &carried)) };
+        let Some((changed, _)) = worst else {
+            let settled = finish(part, supports, &carrying, loads, &carried);
+            return rocks(supports, &settled, total).map_or(Ok(settled), |at| Err(LaidError::Rocks { at }));
+        };
         carrying[changed] = !carrying[changed];
         if carrying.iter().filter(|c| **c).count() < 2 {
             let beyond = beyond(supports, changed, &carrying, resultant);
@@ -71,6 +74,17 @@ fn wrong(supports: &[Support], carrying: &[bool], carried: &Carried, total: f64)
         false => (carried.part.deflection_at(&supports[i].spot) - supports[i].lowered) / size,
     };
     (0..supports.len()).map(|i| (i, of(i))).filter(|(_, by)| *by > NOTHING).collect()
+}
+
+/// The place of the one support that carries all, where the part has left another on one side of it and could as well leave those on
+/// the other: which of them it leans on is then open.
+fn rocks(supports: &[Support], settled: &Settled, total: f64) -> Option<f64> {
+    let own = || supports.iter().zip(&settled.reactions);
+    let (alone, _) = own().find(|(_, reaction)| reaction.force >= (1.0 - NOTHING) * total)?;
+    let at = alone.spot.at;
+    let has_left = |side: f64| own().any(|(s, r)| (s.spot.at - at) * side > 0.0 && r.displacement < 0.0);
+    let leans = |side: f64| own().any(|(s, r)| (s.spot.at - at) * side > 0.0 && r.displacement == 0.0);
+    [1.0, -1.0].into_iter().any(|side| has_left(side) && leans(-side)).then_some(at)
 }
 
 /// The support to put back where one of two was taken away because the resultant acts beyond the other: the

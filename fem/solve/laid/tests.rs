@@ -151,11 +151,29 @@ fn a_load_above_an_end_support_is_that_supports_own() {
     assert!((settled.reactions[0].force - 700.0).abs() < 1e-6);
 }
 
+#[test]
+fn a_part_on_one_high_support_rocks() {
+    let (mut supports, _) = case(10);
+    supports.truncate(3);
+    let at = |i: usize| 0.05 + 0.1 * i as f64;
+    for (i, own) in supports.iter_mut().enumerate() {
+        *own = Support { spot: Spot::point(Face::Underside, at(i)), lowered: 0.0, ..own.clone() };
+        own.joint = Joint::default();
+    }
+    supports[1].lowered = -1e-3;
+    let rests = |x: f64| settle(&bar(), &supports, &[load(x, 100.0)]);
+    assert!(matches!(rests(at(1)), Err(LaidError::Rocks { at: x }) if (x - at(1)).abs() < 1e-12));
+    // A little beside it is clear on which side it lies.
+    let [left, right] = [at(1) - 1e-3, at(1) + 1e-3].map(|x| rests(x).unwrap());
+    assert!(left.reactions[0].force > 0.0 && left.reactions[2].displacement < 0.0);
+    assert!(right.reactions[2].force > 0.0 && right.reactions[0].displacement < 0.0);
+}
+
 /// A block of 0.3 by 0.06 m and a step, of E = 2e11 and b = 0.04 m, in 8-node quadrilaterals of 15 mm.
-fn block(slides: bool) -> Arc<Flexible> {
+fn block() -> Arc<Flexible> {
     let mesh = SteppedMesh { pieces: &[(0.2, 0.06), (0.1, 0.03)], size: 0.015, element: &Quad8 }.build().unwrap();
     let law = Elasticity::new(PlaneState::Stress, 1.0, 0.3, 0.0, 1.0).unwrap();
-    Arc::new(Flexible::Body(Body::new(Arc::new(Unit::new(mesh, law, slides).unwrap()), 2e11, 0.04)))
+    Arc::new(Flexible::Body(Body::new(Arc::new(Unit::new(mesh, law).unwrap()), 2e11, 0.04)))
 }
 
 fn pad(face: Face, at: f64, width: f64) -> Spot {
@@ -164,7 +182,7 @@ fn pad(face: Face, at: f64, width: f64) -> Spot {
 
 #[test]
 fn a_body_obeys_maxwell_and_moves_as_its_nodes_do() {
-    let part = block(true);
+    let part = block();
     let spots = [pad(Face::Underside, 0.04, 0.02), pad(Face::Top, 0.11, 0.013), pad(Face::Top, 0.25, 0.01)];
     let spots = [spots[0], spots[1], spots[2], spots[0].along(), pad(Face::Underside, 0.27, 0.03).along()];
     let influence = part.influence(&spots);
@@ -195,7 +213,7 @@ fn a_body_obeys_maxwell_and_moves_as_its_nodes_do() {
 
 #[test]
 fn friction_stiffens_a_body_and_leaves_two_supports_in_balance() {
-    let part = block(true);
+    let part = block();
     let sunk = |friction: f64| {
         let support =
             |at| Support { spot: pad(Face::Underside, at, 0.02), lowered: 0.0, joint: Joint::default(), friction };

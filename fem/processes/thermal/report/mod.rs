@@ -1,13 +1,14 @@
 //! The report of a run: figures, the profile, plots, and the body in space.
 
 mod bodies;
+mod discretisation;
 pub mod ground;
 mod scene;
 
+use self::discretisation::Left;
 use self::scene::{Hottest, Scene};
 use super::body::Body;
 use super::boundary::Condition;
-use super::forward;
 use super::machine::Machine;
 use super::rows::{COORDINATES, DIAMETER, ELONGATION, OBSERVABLES, TEMPERATURE_OF_ROW, TIME_OF_ROW, X, Y};
 use super::setup::Setup;
@@ -18,8 +19,6 @@ use crate::units::{ENERGY, HEAT, LENGTH, MICRO, SECONDS, TEMPERATURE, TEMPERATUR
 
 /// 1 − 1/e: part that a first-order body has reached after its time constant.
 const REACHED: f64 = 1.0 - 1.0 / std::f64::consts::E;
-/// Errors above this part of the largest rise are warned of.
-const COARSE: f64 = 0.01;
 /// Above this Biot number a section is not at one temperature, and a rod no longer one-dimensional
 /// (Incropera, lumped capacitance).
 const LARGEST_BIOT: f64 = 0.1;
@@ -31,7 +30,7 @@ const LARGEST_BIOT: f64 = 0.1;
 pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
     let (setup, rows, observed) = (&machine.setup, forward.programme, forward.prediction);
     let scene = Scene::new(machine, forward)?;
-    let left = left_by_elements(machine, forward, scene.longest_step())?;
+    let left = Left::by_elements_and_steps(machine, forward, scene.longest_step())?;
     let mut figures = Vec::new();
     figures.extend(scene.elongation.iter().flat_map(|values| growth(&scene.times, values)));
     figures.extend(diameters(setup, &scene));
@@ -40,17 +39,9 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     figures.extend(ground::figure(&setup.body, &setup.boundaries, &scene));
     figures.push(energy(&scene.energy));
     figures.push(steps(setup, &scene));
-    let text = format!("leave some {left:.1e} K, by what twice as long ones change");
-    let discretisation = Figure::new("discretisation", "elements and steps").line(text);
-    figures.push(discretisation.quantity("error", TEMPERATURE_RISE, left));
+    figures.push(left.figure());
     let mut warnings = warnings(machine, &scene);
-    let warmest = own(rows, TEMPERATURE_OF_ROW).map(|row| (observed[row] - setup.start).abs()).fold(0.0, f64::max);
-    if left > setup.time.tolerance.max(COARSE * warmest) {
-        warnings.push(format!(
-            "elements and steps leave errors of some {:.2}: take a smaller element_size in [mesh], and shorter steps",
-            TEMPERATURE_RISE.shown(left)
-        ));
-    }
+    warnings.extend(left.warning(setup, rows, observed));
     Ok(RunReport {
         profile: profile(setup, rows, observed),
         figures,
@@ -64,16 +55,6 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
 /// The rows of an observable.
 fn own(rows: &Rows, observable: usize) -> impl Iterator<Item = usize> {
     (0..rows.len()).filter(move |row| rows.observable[*row] == observable)
-}
-
-/// The error that elements and steps leave in the temperatures of the programme, K: what twice as long ones
-/// change, less what their own order leaves.
-fn left_by_elements(machine: &Machine, forward: &Forward, longest_step: f64) -> Result<f64, Failure> {
-    let (rows, fine) = (forward.programme, forward.prediction);
-    let mut coarse = forward::observe(&machine.coarser(2.0 * longest_step), rows)?;
-    forward.add_formulas(rows, &mut coarse);
-    let apart = own(rows, TEMPERATURE_OF_ROW).map(|row| (fine[row] - coarse[row]).abs()).fold(0.0, f64::max);
-    Ok(apart / f64::from((1 << machine.setup.time.order()) - 1))
 }
 
 /// A measurement file of its own: a record observes the elongation, a temperature or a diameter, other cells are empty.
