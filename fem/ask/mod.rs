@@ -33,5 +33,5 @@ pub use program::program;
 pub use reading::{read, read_all};
 pub use revision::revised;
 pub use run::{predict, run};
-pub use start::{STORY, StartingFile, starting_file, starting_files, starting_structure};
+pub use start::{STORY, StartingFile, starting_file, starting_files, starting_variant};
 pub use study::{Study, do_jobs, study};

@@ -3,7 +3,7 @@
 use super::Error;
 use crate::input::{Problem, did_you_mean};
 use crate::output::commented;
-use crate::process::Process;
+use crate::process::{Process, Variant};
 use crate::{budget, next, processes, study};
 
 /// The files of a story to try everything on, a model, what was measured, and what was measured of the same job when it was
@@ -68,20 +68,24 @@ pub fn starting_file(name: &str) -> Result<StartingFile, Error> {
     all.into_iter().find(|s| s.name == name).ok_or_else(unknown)
 }
 
-/// The model of a process on a structure of its own to start from, by the name of the process.
+/// Another model of a process to start from, by the name of the process.
 ///
 /// # Errors
-/// There is no such process, or it stands on none.
-pub fn starting_structure(name: &str) -> Result<StartingFile, Error> {
+/// There is no such process, or it has no such model.
+pub fn starting_variant(name: &str, variant: Variant) -> Result<StartingFile, Error> {
     let file = starting_file(name)?;
-    let of = |p: &&'static dyn Process| p.starting_structure().map(|text| (p.name(), text));
+    let of = |p: &&'static dyn Process| p.starting_variant(variant).map(|text| (p.name(), text));
     let all: Vec<(&str, &str)> = processes::ALL.iter().filter_map(of).collect();
     let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
     match all.iter().find(|(own, _)| *own == name) {
         Some((_, text)) => Ok(StartingFile { text: text.to_string(), ..file }),
         None => {
-            let problem = Problem::new(format!("`{name}` does not stand on a structure"));
-            Err(problem.help(format!("these do: {}", names.join(", "))).into())
+            let does_not = match variant {
+                Variant::Structure => "does not stand on a structure",
+                Variant::Sketch => "has no part that is drawn",
+            };
+            let problem = Problem::new(format!("`{name}` {does_not}"));
+            Err(problem.help(format!("`fem new` has one for {}", names.join(", "))).into())
         }
     }
 }

@@ -461,7 +461,7 @@ pub struct Set {
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  fem new\n  fem new turning -o shaft.toml\n  fem new turning --structure -o lathe.toml"
+    after_help = "Examples:\n  fem new\n  fem new turning -o shaft.toml\n  fem new turning --structure -o lathe.toml\n  fem new fixture --sketch -o bracket.toml"
 )]
 pub struct New {
     /// The process to model, or `budget` or `study`; what there is if left out
@@ -469,6 +469,9 @@ pub struct New {
     /// With the machine drawn as beams and joints
     #[arg(long, requires = "process")]
     pub structure: bool,
+    /// With the part as it is drawn, in finite elements
+    #[arg(long, requires = "process", conflicts_with = "structure")]
+    pub sketch: bool,
     /// The file to write; it must not exist. Printed if left out
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,

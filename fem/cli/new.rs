@@ -3,14 +3,15 @@
 use super::args;
 use super::error::Error;
 use super::terminal::print;
-use crate::ask::{StartingFile, starting_file, starting_files, starting_structure};
+use crate::ask::{StartingFile, starting_file, starting_files, starting_variant};
 use crate::input::Problem;
 use crate::output::files::{self, Guard};
+use crate::process::Variant;
 
 pub fn new(args: &args::New) -> Result<(), Error> {
     let Some(name) = &args.process else { return print(&listed()) };
     let StartingFile { text, command, .. } =
-        if args.structure { starting_structure(name) } else { starting_file(name) }?;
+        variant(args).map_or_else(|| starting_file(name), |variant| starting_variant(name, variant))?;
     let Some(path) = &args.output else { return print(&text) };
     if path.exists() {
         let problem = Problem::new(format!("{} exists already", path.display()));
@@ -18,6 +19,15 @@ pub fn new(args: &args::New) -> Result<(), Error> {
     }
     files::write(path, text.as_bytes(), Guard { reads: &[], force: false })?;
     print(&format!("written {}; next: fem {command} {}\n", path.display(), path.display()))
+}
+
+/// What more is asked of the model than the plain one has.
+fn variant(args: &args::New) -> Option<Variant> {
+    match (args.structure, args.sketch) {
+        (true, _) => Some(Variant::Structure),
+        (_, true) => Some(Variant::Sketch),
+        _ => None,
+    }
 }
 
 /// Lists everything that can be modelled, and the first commands.

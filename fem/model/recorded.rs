@@ -3,7 +3,7 @@
 
 use super::formula_effect;
 use crate::input::{Name, Reader};
-use crate::process::{Coordinate, Description, Holds, Observable, Process, System, UnitRole};
+use crate::process::{Coordinate, Description, Holds, Observable, Process, System, UnitRole, Variant};
 
 /// A process of the catalogue whose rows have further columns.
 pub struct Recorded {
@@ -85,8 +85,8 @@ impl Process for Recorded {
         self.process.starting_model()
     }
 
-    fn starting_structure(&self) -> Option<&'static str> {
-        self.process.starting_structure()
+    fn starting_variant(&self, variant: Variant) -> Option<&'static str> {
+        self.process.starting_variant(variant)
     }
 
     fn effects(&self) -> Vec<Description> {

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use super::{
     Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
     Definition, Description, Failure, FormulaLaw, Forward, ForwardModel, Making, Misplaced, NoLaw, Observable, Odds,
-    Places, Positioning, Process, Requirement, Rows, RunReport, Spot, System, UnitRole,
+    Places, Positioning, Process, Requirement, Rows, RunReport, Spot, System, UnitRole, Variant,
 };
 use crate::gcode::Workpiece;
 use crate::input::Reader;
@@ -37,8 +37,8 @@ impl<D: Definition> Process for D {
         D::STARTING_MODEL
     }
 
-    fn starting_structure(&self) -> Option<&'static str> {
-        D::STARTING_STRUCTURE
+    fn starting_variant(&self, variant: Variant) -> Option<&'static str> {
+        D::STARTING_VARIANTS.iter().find(|(own, _)| *own == variant).map(|(_, text)| *text)
     }
 
     fn effects(&self) -> Vec<Description> {

@@ -32,8 +32,8 @@ pub trait Definition: Sync + Sized + 'static {
     const COORDINATES: &'static [Coordinate];
     /// A commented model to start from.
     const STARTING_MODEL: &'static str;
-    /// One on a structure of its own, where it can stand on one.
-    const STARTING_STRUCTURE: Option<&'static str> = None;
+    /// Others, in which more is drawn.
+    const STARTING_VARIANTS: &'static [(Variant, &'static str)] = &[];
     /// Its effects, in the order in which people meet them.
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Self::Setup, Self::Machine>];
 
@@ -242,6 +242,15 @@ pub struct Limit {
     pub why: &'static str,
     /// Remedy: the inputs to check.
     pub help: &'static str,
+}
+
+/// What more a model to start from may have than the plain one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variant {
+    /// The machine as beams and joints.
+    Structure,
+    /// The part as it is drawn, in finite elements.
+    Sketch,
 }
 
 /// The forward function of a report: predictions with every effect acting, those that are formulas included.

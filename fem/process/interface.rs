@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{
     Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
     Description, Failure, Making, Misplaced, NoLaw, Observable, Odds, Places, Positioning, Requirement, Rows,
-    RunReport, Spot, UnitRole,
+    RunReport, Spot, UnitRole, Variant,
 };
 use crate::gcode::Workpiece;
 use crate::input::Reader;
@@ -40,8 +40,8 @@ pub trait Process: Sync {
     /// A commented model to start from.
     fn starting_model(&self) -> &'static str;
 
-    /// One on a structure of its own, where it can stand on one.
-    fn starting_structure(&self) -> Option<&'static str> {
+    /// Another one, where it has such.
+    fn starting_variant(&self, _variant: Variant) -> Option<&'static str> {
         None
     }
 

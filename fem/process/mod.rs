@@ -50,7 +50,7 @@ pub(crate) use blank::{BlankProfile, BlankWords, Wave};
 pub use change::{CHANGED, change_of, is_size, name_of_change};
 pub use command::{Answers, Command, Commanded, RADIUS_CHANGE, order};
 pub use controller::Controller;
-pub use definition::{Contradiction, Definition, Forward, Limit};
+pub use definition::{Contradiction, Definition, Forward, Limit, Variant};
 pub use drawing::{Curve, Drawing, Spot, round_below};
 pub use effect::{Active, CatalogueEffect, Description, EFFECTS, Effect, Neutral, ON_TRIAL, Odds, Parameter, nothing};
 pub use failure::Failure;

@@ -13,6 +13,7 @@ mod compensate;
 mod contour;
 mod correct;
 mod discover;
+mod drawn_part;
 mod events;
 mod faults;
 mod fem;

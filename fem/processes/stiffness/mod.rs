@@ -23,7 +23,7 @@ use std::sync::Arc;
 use crate::input::Reader;
 use crate::process::{
     Allowed, AllowedWords, CandidateExperiment, CatalogueEffect, Coordinate, Definition, Failure, Forward, Limit,
-    Misplaced, Observable, Rows, RunReport, UnitRole,
+    Misplaced, Observable, Rows, RunReport, UnitRole, Variant,
 };
 
 /// The process `stiffness`.
@@ -38,7 +38,8 @@ impl Definition for Stiffness {
     const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
-    const STARTING_STRUCTURE: Option<&'static str> = Some(include_str!("../../../models/pushed-lathe.toml"));
+    const STARTING_VARIANTS: &'static [(Variant, &'static str)] =
+        &[(Variant::Structure, include_str!("../../../models/pushed-lathe.toml"))];
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
 
     const OF_UNIT: &'static [(&'static str, UnitRole)] = &[("joint.stiffness", UnitRole::Spring)];

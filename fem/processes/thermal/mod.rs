@@ -34,7 +34,7 @@ use std::sync::Arc;
 use crate::input::Reader;
 use crate::process::{
     Advice, Allowed, AllowedWords, Answers, CandidateExperiment, CatalogueEffect, Command, Commanded, Coordinate,
-    Definition, Failure, Forward, Limit, Misplaced, Observable, Rows, RunReport,
+    Definition, Failure, Forward, Limit, Misplaced, Observable, Rows, RunReport, Variant,
 };
 
 /// The process `thermal`.
@@ -49,6 +49,8 @@ impl Definition for Thermal {
     const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
+    const STARTING_VARIANTS: &'static [(Variant, &'static str)] =
+        &[(Variant::Sketch, include_str!("../../../models/bored-sleeve.toml"))];
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
 
     const COMMANDED: Option<Commanded> = Some(Commanded {

@@ -40,7 +40,7 @@ use crate::input::Reader;
 use crate::process::{
     Active, Advice, Answers, CandidateExperiment, CatalogueEffect, Characteristic, Command, Commanded, Contradiction,
     Coordinate, Definition, Failure, Forward, Limit, Making, Misplaced, NoLaw, Observable, Odds, Places, RADIUS_CHANGE,
-    Requirement, Rows, RunReport,
+    Requirement, Rows, RunReport, Variant,
 };
 use crate::progress::Progress;
 use crate::tolerance::Limits;
@@ -57,7 +57,8 @@ impl Definition for Turning {
     const OBSERVABLES: &'static [Observable] = rows::OBSERVABLES;
     const COORDINATES: &'static [Coordinate] = rows::COORDINATES;
     const STARTING_MODEL: &'static str = include_str!("new.toml");
-    const STARTING_STRUCTURE: Option<&'static str> = Some(include_str!("../../../models/lathe-on-bed.toml"));
+    const STARTING_VARIANTS: &'static [(Variant, &'static str)] =
+        &[(Variant::Structure, include_str!("../../../models/lathe-on-bed.toml"))];
     const EFFECTS: &'static [&'static dyn CatalogueEffect<Setup, Machine>] = effects::ALL;
     const IN_ORDER: Option<&'static str> = Some("part");
     const CARRIED_OVER: &'static [(&'static str, &'static str)] = &[

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
+use super::faces::{Faces, Level, LevelSide};
 use super::{Face, Spot, Way};
 use crate::element::plane::{Elasticity, STRAINS};
 use crate::mesh::Mesh;
@@ -71,23 +72,21 @@ struct Side {
 type Weights = Vec<(usize, f64)>;
 
 impl Unit {
-    /// Of a mesh of 8-node quadrilaterals whose sides `underside` and `top` are straight and run along x, the first of them on one height.
-    ///
-    /// `law` is that of E = b = 1.
+    /// Of a mesh with these faces, the underside on one height. `law` is that of E = b = 1.
     ///
     /// # Errors
-    /// The mesh has no such sides, or its equations cannot be solved.
-    pub fn new(mesh: Mesh, law: Elasticity) -> Result<Self, ElasticError> {
+    /// Its equations cannot be solved.
+    pub fn new(mesh: Arc<Mesh>, faces: &Faces, law: Elasticity) -> Result<Self, ElasticError> {
         let mut motions = Motions::default();
         let length = mesh.nodes().iter().fold(0.0, |length: f64, node| length.max(node[0]));
         let slack = SAME * length;
-        let underside = stretches(&mesh, "underside", slack, |node| motions.of_side(node, true))?;
-        let top = stretches(&mesh, "top", slack, |node| motions.of_side(node, false))?;
+        let underside = motions.of_face(&faces.underside, true);
+        let top = motions.of_face(&faces.top, false);
         let motions = motions.all;
         let ends = ends(&underside).map(|own| motions[own].0);
         let held = [(ends[0], 0), (ends[0], 1), (ends[1], 1)];
         let held = held.map(|(node, axis)| Prescribed { node, axis, displacement: 0.0 });
-        let system = ElasticSystem::held(Arc::new(mesh), law, &held)?;
+        let system = ElasticSystem::held(mesh, law, &held)?;
         let column = |(node, way): &(usize, Way)| -> Result<Vec<f64>, ElasticError> {
             let mut loads = Loads::none(system.mesh());
             loads.add_force(*node, way.direction());
@@ -213,10 +212,16 @@ impl Motions {
         })
     }
 
-    /// Motions of a side's nodes, down and, if it `slides`, along it.
-    fn of_side(&mut self, nodes: [usize; 3], slides: bool) -> ([usize; 3], Option<[usize; 3]>) {
-        let down = nodes.map(|node| self.number(node, Way::Down));
-        (down, slides.then(|| nodes.map(|node| self.number(node, Way::Along))))
+    /// A face with the motions of its nodes, down and, if it `slides`, along it.
+    fn of_face(&mut self, face: &[Level], slides: bool) -> Vec<Stretch> {
+        let mut of_side = |LevelSide { from, to, nodes }: &LevelSide| {
+            let down = nodes.map(|node| self.number(node, Way::Down));
+            let along = slides.then(|| nodes.map(|node| self.number(node, Way::Along)));
+            Side { from: *from, to: *to, down, along }
+        };
+        face.iter()
+            .map(|own| Stretch { height: own.height, sides: own.sides.iter().map(&mut of_side).collect() })
+            .collect()
     }
 }
 
@@ -242,37 +247,4 @@ impl Way {
 fn ends(face: &[Stretch]) -> [usize; 2] {
     let (first, last) = (&face[0].sides, &face[face.len() - 1].sides);
     [first[0].down[0], last[last.len() - 1].down[2]]
-}
-
-/// The sides of a face from end to end, those on one height together.
-fn stretches(
-    mesh: &Mesh,
-    name: &'static str,
-    slack: f64,
-    mut number: impl FnMut([usize; 3]) -> ([usize; 3], Option<[usize; 3]>),
-) -> Result<Vec<Stretch>, ElasticError> {
-    let mut sides = Vec::new();
-    for &side in mesh.sides(name)? {
-        let own = mesh.side_nodes(side);
-        let [mut begin, mut end, middle] = *own.as_slice() else { continue };
-        if mesh.nodes()[begin as usize][0] > mesh.nodes()[end as usize][0] {
-            (begin, end) = (end, begin);
-        }
-        sides.push([begin, middle, end].map(|node| node as usize));
-    }
-    sides.sort_by(|a, b| mesh.nodes()[a[0]][0].total_cmp(&mesh.nodes()[b[0]][0]));
-    let mut all: Vec<Stretch> = Vec::new();
-    for own in sides {
-        let [[from, height], _, [to, _]] = own.map(|node| mesh.nodes()[node]);
-        let (down, along) = number(own);
-        let side = Side { from, to, down, along };
-        let joins = |last: &&mut Stretch| {
-            (last.height - height).abs() <= slack && last.sides.last().is_some_and(|before| from <= before.to + slack)
-        };
-        match all.last_mut().filter(joins) {
-            Some(last) => last.sides.push(side),
-            None => all.push(Stretch { height, sides: vec![side] }),
-        }
-    }
-    Ok(all)
 }

@@ -13,6 +13,7 @@
 mod bending;
 mod body;
 mod carried;
+mod faces;
 mod flexible;
 mod friction;
 mod settle;
@@ -23,6 +24,7 @@ mod tests;
 
 pub use bending::Bending;
 pub use body::{Body, Unit};
+pub use faces::{FaceError, Faces, Level, LevelSide};
 pub use flexible::Flexible;
 pub use settle::settle;
 pub use spot::{Face, Spot, Way};

@@ -173,7 +173,8 @@ fn a_part_on_one_high_support_rocks() {
 fn block() -> Arc<Flexible> {
     let mesh = SteppedMesh { pieces: &[(0.2, 0.06), (0.1, 0.03)], size: 0.015, element: &Quad8 }.build().unwrap();
     let law = Elasticity::new(PlaneState::Stress, 1.0, 0.3, 0.0, 1.0).unwrap();
-    Arc::new(Flexible::Body(Body::new(Arc::new(Unit::new(mesh, law).unwrap()), 2e11, 0.04)))
+    let faces = Faces::of(&mesh).unwrap();
+    Arc::new(Flexible::Body(Body::new(Arc::new(Unit::new(Arc::new(mesh), &faces, law).unwrap()), 2e11, 0.04)))
 }
 
 fn pad(face: Face, at: f64, width: f64) -> Spot {

@@ -30,6 +30,8 @@ def divided(stops, size):
 class Part:
     """Nodes by their place in half steps, elements counter-clockwise. Lengths in mm."""
 
+    kind = "CPS8"
+
     def __init__(self, segments, size):
         ends = np.concatenate([[0], np.cumsum([length for length, _ in segments])]).tolist()
         levels = sorted({0, *(height for _, height in segments)})
@@ -51,6 +53,9 @@ class Part:
     def place(self, i, j):
         half = lambda borders, k: (borders[k // 2] + borders[(k + 1) // 2]) / 2
         return half(self.x, i), half(self.y, j)
+
+    def ends(self):
+        return self.node(0, 0), self.node(2 * len(self.x) - 2, 0)
 
     def pad(self, at, width, on_top):
         """Shares of the nodes under a pad: shape functions integrated by Gauss over what it covers of each side."""
@@ -84,7 +89,7 @@ def solve(part, supports, loads, seen):
     first = len(part.nodes) + 1
     for k in range(len(supports)):
         lines.append(f"{first + k}, 0, {-1 - k}, 0")
-    lines.append("*ELEMENT, TYPE=CPS8, ELSET=PART")
+    lines.append(f"*ELEMENT, TYPE={part.kind}, ELSET=PART")
     lines += [f"{k + 1}, " + ", ".join(map(str, own)) for k, own in enumerate(part.elements)]
     lines += ["*MATERIAL, NAME=IRON", "*ELASTIC", f"{YOUNG}, {NU}", "*SOLID SECTION, ELSET=PART, MATERIAL=IRON", f"{THIN}"]
     for k, (at, width, stiffness) in enumerate(supports):
@@ -93,7 +98,7 @@ def solve(part, supports, loads, seen):
         shares = part.pad(at, width, False)
         terms = [(node, 2, share) for node, share in shares.items() if abs(share) > 1e-15] + [(first + k, 2, -1.0)]
         lines += ["*EQUATION", f"{len(terms)}"] + [f"{node}, {axis}, {share:.15g}" for node, axis, share in terms]
-    lines += ["*BOUNDARY", f"{part.node(0, 0)}, 1, 1"]
+    lines += ["*BOUNDARY", f"{part.ends()[0]}, 1, 1"]
     for k in range(len(supports)):
         lines += [f"{first + k}, 1, 1", f"{first + k}, 3, 3"]
     lines += ["*STEP", "*STATIC", "*CLOAD"]
@@ -124,10 +129,10 @@ def motions(part, pushes, watched):
     for (i, j), number in part.nodes.items():
         x, y = part.place(i, j)
         lines.append(f"{number}, {x / 1e3:.15g}, {y / 1e3:.15g}, 0")
-    lines.append("*ELEMENT, TYPE=CPS8, ELSET=PART")
+    lines.append(f"*ELEMENT, TYPE={part.kind}, ELSET=PART")
     lines += [f"{k + 1}, " + ", ".join(map(str, own)) for k, own in enumerate(part.elements)]
     lines += ["*MATERIAL, NAME=IRON", "*ELASTIC", f"{YOUNG}, {NU}", "*SOLID SECTION, ELSET=PART, MATERIAL=IRON", f"{THIN}"]
-    lines += ["*BOUNDARY", f"{part.node(0, 0)}, 1, 2", f"{part.node(2 * len(part.x) - 2, 0)}, 2, 2"]
+    lines += ["*BOUNDARY", f"{part.ends()[0]}, 1, 2", f"{part.ends()[1]}, 2, 2"]
     for shares, axis in pushes:
         sign = -1 if axis == 2 else 1
         lines += ["*STEP", "*STATIC", "*CLOAD, OP=NEW"]
