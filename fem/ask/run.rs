@@ -15,7 +15,7 @@ pub fn run(model: &Model, progress: &Progress) -> Result<(Run, Option<Band>), Fa
     if Knowledge::of(model).is_exact() {
         return Ok((run, None));
     }
-    let rows = model.system.programme();
+    let rows = model.open_programme();
     // A prediction is one though nobody can say how far it may be off.
     match banded(model, &rows, &run.prediction, progress) {
         Ok(band) => Ok((run, Some(band))),

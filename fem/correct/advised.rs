@@ -27,12 +27,13 @@ pub struct Advised {
 /// The model cannot be computed.
 pub fn advise(model: &Model, progress: &Progress) -> Result<Advised, Failure> {
     let knowledge = Knowledge::of(model);
-    let rows = model.system.programme();
+    let rows = model.open_programme();
     let nothing = std::sync::Arc::default();
     let best = model.commanded_at(&knowledge.values, &nothing)?;
     let values = progress.stretch("as it is", || best.observe(&rows))?;
     let band = progress.stretch("what is known of it", || Band::about(model, &rows, &values))?;
-    let standings = Standing::all(&*model.system, &rows, &values);
-    let advice = progress.stretch("what to change", || best.advice(&rows, &values))?;
-    Ok(Advised { rows, values, band, standings, advice })
+    let told = model.system.resolved(&rows);
+    let standings = Standing::all(&*model.system, &told, &values);
+    let advice = progress.stretch("what to change", || best.advice(&told, &values))?;
+    Ok(Advised { rows: told, values, band, standings, advice })
 }

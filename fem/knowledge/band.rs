@@ -79,7 +79,8 @@ impl Band {
             (Err(_), Err(_)) => Err(vague()),
         };
         let ways: Vec<(usize, [Vec<f64>; 2])> = both.into_par_iter().map(predicted).collect::<Result<_, Failure>>()?;
-        Self::gathered((model, &knowledge), (rows, best), &others, |number| {
+        let told = model.system.resolved(rows);
+        Self::gathered((model, &knowledge), (&told, best), &others, |number| {
             let at = knowledge.independent(number);
             let mut values = best.to_vec();
             for (own, [up, down]) in &ways {

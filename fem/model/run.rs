@@ -2,7 +2,7 @@
 
 use super::Model;
 use crate::input::Name;
-use crate::process::{Active, Failure, ForwardModel, Observable, Rows, RunReport, Standing, Values};
+use crate::process::{Absent, Active, Failure, ForwardModel, Observable, Rows, RunReport, Standing, Values};
 use crate::progress::Progress;
 use crate::units::Kind;
 
@@ -62,6 +62,21 @@ impl Model {
         let contributions = self.contributions(&changes);
         let standings = Standing::all(&*self.system, &self.system.programme(), &prediction);
         Ok(Run { report: forward.report(prediction.clone())?, prediction, standings, contributions })
+    }
+
+    /// The rows of its programme without the conditions that it gives them itself: so they follow its values.
+    pub fn open_programme(&self) -> Rows {
+        let mut rows = self.system.programme();
+        for (column, coordinate) in self.process.coordinates().iter().enumerate() {
+            if coordinate.absent != Absent::Model {
+                continue;
+            }
+            let written = std::mem::replace(&mut rows.columns[column], Values::shared(f64::NAN, rows.observable.len()));
+            if self.system.resolved(&rows).columns[column] != written {
+                rows.columns[column] = written;
+            }
+        }
+        rows
     }
 
     /// Report of a run, without the contributions of its effects.

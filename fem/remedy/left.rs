@@ -128,7 +128,7 @@ fn thinned((rows, command): (Rows, Command)) -> (Rows, Command) {
 
 /// The rows of a model's programme whose errors are told as its sizes are; all of them where there are none.
 fn lengths(model: &Model) -> Rows {
-    let programme = model.system.programme();
+    let programme = model.open_programme();
     let observables = model.process.observables();
     let is_length = |row: &usize| observables[programme.observable[*row]].error_kind() == model.process.size_kind();
     let own: Vec<usize> = (0..programme.len()).filter(is_length).collect();

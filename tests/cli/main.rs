@@ -24,6 +24,7 @@ mod formula;
 #[cfg(unix)]
 mod hostile;
 mod import;
+mod machine;
 mod measurement;
 mod mesh_file;
 mod next;

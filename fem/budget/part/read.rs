@@ -98,27 +98,13 @@ fn read_rows(t: &Reader, model: &Model, observable: usize) -> Rows {
     rows
 }
 
-/// Rows without the conditions that the model gives them itself: so they follow the values that are drawn.
-fn left_to_the_model(model: &Model, mut rows: Rows) -> Rows {
-    for (column, coordinate) in model.process.coordinates().iter().enumerate() {
-        if coordinate.absent != Absent::Model {
-            continue;
-        }
-        let written = std::mem::replace(&mut rows.columns[column], Values::shared(f64::NAN, rows.observable.len()));
-        if model.system.resolved(&rows).columns[column] != written {
-            rows.columns[column] = written;
-        }
-    }
-    rows
-}
-
 /// Reads the rows over which a figure is a spread: those of the model's programme with the given numbers and
 /// words, under the given conditions.
 fn read_programme(t: &Reader, model: &Model, observable: usize) -> Rows {
     let coordinates = model.process.coordinates();
     let row = |t: &Reader| coordinates.iter().map(|c| read_coordinate(t, c, false)).collect::<Vec<f64>>();
     let given = t.optional_table("at", "which part of the programme, and under which conditions", row);
-    let mut rows = left_to_the_model(model, model.system.programme());
+    let mut rows = model.open_programme();
     let given = given.unwrap_or_else(|| vec![f64::NAN; coordinates.len()]);
     let is_kept = |row: usize| {
         let same = |column: usize| {

@@ -38,6 +38,8 @@ impl Port {
 pub struct Draft {
     pub(super) structure: Structure,
     pub(super) nodes: Vec<Name>,
+    /// How many of them the model draws; those behind were put into members, whose names they have.
+    pub(super) drawn: usize,
     /// Of every member of the structure, that of which it is a piece.
     pub(super) members: Vec<Name>,
     /// Width and height of every member, as it is drawn, m.
@@ -109,9 +111,9 @@ impl Drawn {
 }
 
 impl Draft {
-    /// Number of a node by its name.
+    /// Number of a node of the model by its name.
     pub fn node(&self, name: &str) -> Option<usize> {
-        self.nodes.iter().position(|own| own.as_str() == name)
+        self.nodes[..self.drawn].iter().position(|own| own.as_str() == name)
     }
 
     /// Whether there is a member of this name.
@@ -183,7 +185,7 @@ impl Draft {
 
     /// Assembles and factors; what holds nothing is told at the table that is read.
     pub(super) fn factored(self, t: &Reader) -> Option<Drawn> {
-        let Self { structure, nodes, members, sizes, joints, seats } = self;
+        let Self { structure, nodes, members, sizes, joints, seats, .. } = self;
         let places = structure.nodes.clone();
         match structure.factored() {
             Ok(factored) => Some(Drawn { nodes, factored, members, sizes, joints, seats }),

@@ -62,6 +62,7 @@ impl Draft {
         let about = "places of the nodes: x along the axis from the headstock, y the way in which the work gives way";
         let nodes = t.table("nodes", about, |t| t.named_pairs(LENGTH, "x and y of the node"));
         (draft.nodes, draft.structure.nodes) = nodes.into_iter().unzip();
+        draft.drawn = draft.nodes.len();
         let material = Material::read(t, "material");
         draft.structure.held = draft.read_supports(t);
         let about = "a member (`between`, `section`) or a joint (`at` or `between`, `along`, `stiffness`)";

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Flexible, LaidError, Load, Settled, Spot, Support, friction};
+use super::{Flexible, LaidError, Load, Settled, Spot, Support, Supports, friction};
 use crate::joint::JointState;
 
 /// Residual at which forces and displacements count as in equilibrium, relative to the terms of each
@@ -27,12 +27,15 @@ pub(super) struct Carried {
 /// Solves for the forces of the supports that carry.
 pub(super) fn carry(
     part: &Arc<Flexible>,
-    supports: &[Support],
+    Supports { all: supports, ground }: Supports,
     carrying: &[bool],
     loads: &[Load],
 ) -> Result<Carried, LaidError> {
     let own: Vec<usize> = (0..supports.len()).filter(|i| carrying[*i]).collect();
     let mut problem = Problem::new(part, own.iter().map(|i| &supports[*i]).collect(), loads);
+    if let Some(ground) = ground {
+        problem.influence += DMatrix::from_fn(own.len(), own.len(), |i, j| ground[(own[i], own[j])]);
+    }
     let (mut found, mut rigid) = problem.solve()?;
     let mut held = vec![0.0; own.len()];
     if own.iter().any(|i| supports[*i].friction > 0.0) {
@@ -73,7 +76,7 @@ pub(super) fn acting(supports: &[Support], loads: &[Load], forces: &[f64], frict
 struct Problem<'a> {
     supports: Vec<&'a Support>,
     loads: &'a [Load],
-    /// G(x_i, x_j) between supports, m/N.
+    /// G(x_i, x_j) between supports, and what the ground adds, m/N.
     influence: DMatrix<f64>,
     /// Deflection of the supports' places by the loads and by friction, m.
     bent: Vec<f64>,

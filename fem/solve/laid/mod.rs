@@ -31,6 +31,8 @@ pub use spot::{Face, Spot, Way};
 
 use std::sync::Arc;
 
+use nalgebra::DMatrix;
+
 use crate::joint::Joint;
 use crate::solve::elastic::ElasticError;
 
@@ -45,6 +47,29 @@ pub struct Support {
     pub joint: Joint,
     /// Coefficient of friction on it; 0 where the part slides freely, as a beam does.
     pub friction: f64,
+}
+
+/// The supports under the part, two or more at different places, and what they stand on.
+#[derive(Clone, Copy, Debug)]
+pub struct Supports<'a> {
+    /// All of them.
+    pub all: &'a [Support],
+    /// How far each of them sinks with the ground under a force on another one, m/N, symmetric; `None` where it stands firm. (supports,
+    /// supports)
+    pub ground: Option<&'a DMatrix<f64>>,
+}
+
+impl<'a> Supports<'a> {
+    /// On firm ground.
+    pub fn firm(all: &'a [Support]) -> Self {
+        Self { all, ground: None }
+    }
+
+    /// How far support number `i` stands below its place with these forces on all of them (N), m.
+    fn stands(&self, i: usize, forces: &[f64]) -> f64 {
+        let sunk = self.ground.map_or(0.0, |ground| forces.iter().enumerate().map(|(j, q)| ground[(i, j)] * q).sum());
+        self.all[i].lowered + sunk
+    }
 }
 
 /// A force that presses the part down.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::carried::{Carried, acting, carry};
-use super::{Flexible, LaidError, Load, Reaction, Settled, Support};
+use super::{Flexible, LaidError, Load, Reaction, Settled, Support, Supports};
 
 /// Reactions, and depths pressed into supports, that are this small against the loads count as zero.
 const NOTHING: f64 = 1e-11;
@@ -16,7 +16,8 @@ const NOTHING: f64 = 1e-11;
 ///
 /// # Errors
 /// The loads press outside the supports, or no equilibrium was found.
-pub fn settle(part: &Arc<Flexible>, supports: &[Support], loads: &[Load]) -> Result<Settled, LaidError> {
+pub fn settle(part: &Arc<Flexible>, on: Supports, loads: &[Load]) -> Result<Settled, LaidError> {
+    let supports = on.all;
     let total: f64 = loads.iter().map(|l| l.force).sum();
     if total == 0.0 {
         let reactions = vec![Reaction { force: 0.0, displacement: 0.0, friction: 0.0 }; supports.len()];
@@ -31,15 +32,15 @@ pub fn settle(part: &Arc<Flexible>, supports: &[Support], loads: &[Load]) -> Res
     }
     let mut carrying = vec![true; supports.len()];
     for round in 0..20 * supports.len() {
-        let carried = carry(part, supports, &carrying, loads)?;
-        let wrong = wrong(supports, &carrying, &carried, total);
+        let carried = carry(part, on, &carrying, loads)?;
+        let wrong = wrong(on, &carrying, &carried, total);
         // The worst first, which is quick; by position later on, which cannot go in circles.
         let worst = match round < 4 * supports.len() {
             true => wrong.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)),
             false => wrong.into_iter().next(),
         };
         let Some((changed, _)) = worst else {
-            let settled = finish(part, supports, &carrying, loads, &carried);
+            let settled = finish(part, on, &carrying, loads, &carried);
             return rocks(supports, &settled, total).map_or(Ok(settled), |at| Err(LaidError::Rocks { at }));
         };
         carrying[changed] = !carrying[changed];
@@ -67,11 +68,12 @@ fn laid(supports: &[Support]) -> (f64, f64) {
 
 /// Supports that pull, and supports that the part sinks into though they carry nothing; each with how much,
 /// as a part of what acts.
-fn wrong(supports: &[Support], carrying: &[bool], carried: &Carried, total: f64) -> Vec<(usize, f64)> {
+fn wrong(on: Supports, carrying: &[bool], carried: &Carried, total: f64) -> Vec<(usize, f64)> {
+    let supports = on.all;
     let size = supports.iter().map(|s| carried.part.deflection_at(&s.spot).abs()).fold(f64::MIN_POSITIVE, f64::max);
     let of = |i: usize| match carrying[i] {
         true => -carried.forces[i] / total,
-        false => (carried.part.deflection_at(&supports[i].spot) - supports[i].lowered) / size,
+        false => (carried.part.deflection_at(&supports[i].spot) - on.stands(i, &carried.forces)) / size,
     };
     (0..supports.len()).map(|i| (i, of(i))).filter(|(_, by)| *by > NOTHING).collect()
 }
@@ -97,14 +99,15 @@ fn beyond(supports: &[Support], gone: usize, carrying: &[bool], resultant: f64) 
     others.min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
-fn finish(part: &Arc<Flexible>, supports: &[Support], carrying: &[bool], loads: &[Load], carried: &Carried) -> Settled {
+fn finish(part: &Arc<Flexible>, on: Supports, carrying: &[bool], loads: &[Load], carried: &Carried) -> Settled {
+    let supports = on.all;
     let reaction = |(i, support): (usize, &Support)| match carrying[i] {
         true => {
             let force = carried.forces[i].max(0.0);
             Reaction { force, displacement: support.joint.displacement(force), friction: carried.friction[i] }
         }
         false => {
-            let displacement = (carried.part.deflection_at(&support.spot) - support.lowered).min(0.0);
+            let displacement = (carried.part.deflection_at(&support.spot) - on.stands(i, &carried.forces)).min(0.0);
             Reaction { force: 0.0, displacement, friction: 0.0 }
         }
     };
