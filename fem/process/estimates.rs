@@ -91,6 +91,14 @@ pub const CONDUCTANCE: Doubt =
 pub const FILM: Doubt =
     Doubt::by_factor(0.3, 3.0, Grows::Otherwise, "film coefficients of still air are known within a factor of three");
 
+/// An emissivity.
+pub const EMISSIVITY: Doubt = Doubt::by_factor(
+    0.3,
+    2.0,
+    Grows::Otherwise,
+    "emissivities of metals are known within a factor of two: finish and oxide decide",
+);
+
 /// A temperature, K.
 pub const TEMPERATURE: Doubt =
     Doubt::by_amount(0.15, 3.0, "rooms are written as 20 degC, and a few kelvin beside it is usual");

@@ -47,6 +47,7 @@ mod stiffness;
 mod story;
 mod structure;
 mod study;
+mod surfaces;
 mod tailstock;
 mod thermal;
 mod validate;

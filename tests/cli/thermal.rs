@@ -554,7 +554,12 @@ const EDGE_RECORDS: &[Mistake] = &[
     ("end = \"60 min\"", "end = \"90 min\"", "the record of `ambient` reaches from 0 min to 60 min", "record it"),
     ("end = \"60 min\"", "end = \"90 min\"", "the record of `flux` reaches from 0 min to 60 min", "record it"),
     ("value = \"air\"", "value = \"heir\"", "there is no column `heir`", "did you mean `air`?"),
-    ("\"50 W/m^2/K\"", "{ file = \"bath.csv\" }", "`convection` is no heat transfer coefficient", "write convection ="),
+    (
+        "\"50 W/m^2/K\"",
+        "{ file = \"bath.csv\" }",
+        "bath.csv: there is no column `convection`",
+        "its columns are time, bath, air",
+    ),
 ];
 
 #[test]

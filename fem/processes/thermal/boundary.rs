@@ -2,10 +2,10 @@
 
 use super::body::Body;
 use super::source;
-use crate::input::{Along, Reader};
+use crate::input::{Along, Reader, Varying};
 use crate::process::estimates;
 use crate::solve::rod::{History, Power};
-use crate::units::{CONVECTION, HEAT_FLUX, LENGTH, SPEED, TEMPERATURE};
+use crate::units::{CONVECTION, HEAT_FLUX, LENGTH, NUMBER, SPEED, TEMPERATURE};
 
 /// An edge of a plane body with its condition.
 #[derive(Clone, Debug)]
@@ -23,9 +23,11 @@ pub struct Boundary {
 pub enum Condition {
     /// Heat flux that flows in, W/m².
     Flux(Power),
-    /// Loss by a film coefficient (W/(m² K)) to the environment, which may drift, or to surroundings at a
+    /// Loss by a film coefficient (W/(m² K)) over time to the environment, which may drift, or to surroundings at a
     /// temperature of their own (K).
-    Convection { coefficient: f64, ambient: Option<History> },
+    Convection { coefficient: Varying, ambient: Option<History> },
+    /// Loss by radiation to the same, beside the film of the surroundings.
+    Radiation { emissivity: f64, ambient: Option<History> },
     /// A temperature that is held, K.
     Temperature(History),
     /// A strip of heat flux (W/m²) that moves along the edge toward growing x or y: speed (m/s), width (m),
@@ -62,16 +64,20 @@ impl Boundary {
     /// Whether the film of the surroundings acts on the edge: not where it has a film or a temperature of its own, nor
     /// where it is covered. Heat that is brought to it keeps no air off.
     pub fn is_open(&self) -> bool {
-        !self.is_covered && matches!(self.condition, Condition::Flux(_) | Condition::Moving { .. })
+        let brings_none = matches!(self.condition, Condition::Convection { .. } | Condition::Temperature(_));
+        !self.is_covered && !brings_none
     }
 
     /// Last time (s) up to which a record of it reaches; infinite without one.
     pub fn known_until(&self) -> f64 {
+        let of = |ambient: &Option<History>| ambient.as_ref().map_or(f64::INFINITY, History::known_until);
         match &self.condition {
-            Condition::Flux(Power { level: history, .. })
-            | Condition::Convection { ambient: Some(history), .. }
-            | Condition::Temperature(history) => history.known_until(),
-            Condition::Convection { ambient: None, .. } | Condition::Moving { .. } => f64::INFINITY,
+            Condition::Flux(Power { level: history, .. }) | Condition::Temperature(history) => history.known_until(),
+            Condition::Convection { coefficient, ambient } => {
+                History::from(coefficient.clone()).known_until().min(of(ambient))
+            }
+            Condition::Radiation { ambient, .. } => of(ambient),
+            Condition::Moving { .. } => f64::INFINITY,
         }
     }
 }
@@ -85,7 +91,9 @@ impl Condition {
             .map(History::from);
         let on = source::read_on(t, &[]);
         let coefficient = t.quantity("convection", CONVECTION, "film coefficient of a loss").estimated(estimates::FILM);
-        let coefficient = coefficient.not_negative().optional();
+        let coefficient = coefficient.not_negative().optional_varying(run);
+        let emissivity = t.quantity("emissivity", NUMBER, "of a loss by radiation").estimated(estimates::EMISSIVITY);
+        let emissivity = emissivity.within(0.0, 1.0).optional();
         let ambient = temperature(t, "ambient", "of what it is lost to; the environment if left out", run);
         let held = temperature(t, "temperature", "that the edge is held at", run);
         let moving = t.optional_table("moving", "a strip of flux that moves along the edge", |t| Self::Moving {
@@ -94,18 +102,19 @@ impl Condition {
             flux: t.quantity("flux", HEAT_FLUX, "heat that flows in under it").estimated(estimates::POWER).required(),
             from: t.quantity("from", LENGTH, "where its middle is at the start").or(0.0),
         });
-        let given = [flux.is_some(), coefficient.is_some(), held.is_some(), moving.is_some()];
+        let given = [flux.is_some(), coefficient.is_some(), emissivity.is_some(), held.is_some(), moving.is_some()];
         if given.iter().filter(|g| **g).count() != 1 && !t.is_described() {
             t.problem(
                 "",
                 "an edge has one condition",
-                "give one of flux, convection, temperature and moving; another [[boundary]] adds another",
+                "give one of flux, convection, emissivity, temperature and moving; another [[boundary]] adds another",
             );
         }
-        match (flux, coefficient, held, moving) {
+        match (flux, coefficient, emissivity, held, moving) {
             (Some(level), ..) => Self::Flux(Power { level, on }),
             (_, Some(coefficient), ..) => Self::Convection { coefficient, ambient },
-            (_, _, Some(held), _) => Self::Temperature(held),
+            (_, _, Some(emissivity), ..) => Self::Radiation { emissivity, ambient },
+            (.., Some(held), _) => Self::Temperature(held),
             (.., moving) => moving.unwrap_or(Self::Flux(Power::switched(0.0, &[]))),
         }
     }

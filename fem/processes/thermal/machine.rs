@@ -98,7 +98,12 @@ impl Machine {
 
     /// Whether the body feels the temperature of its surroundings.
     pub fn is_open(&self) -> bool {
-        let loses = |edge: &Boundary| matches!(edge.condition, Condition::Convection { ambient: None, .. });
+        let loses = |edge: &Boundary| {
+            matches!(
+                edge.condition,
+                Condition::Convection { ambient: None, .. } | Condition::Radiation { ambient: None, .. }
+            )
+        };
         let is_told = |s: &Surroundings| s.coefficient.is_some_and(|film| film > 0.0);
         let has_film = self.setup.sections.iter().any(is_told);
         self.convection > 0.0 || self.base > 0.0 || has_film || self.setup.boundaries.iter().any(loses)

@@ -10,9 +10,10 @@ use super::setup::Setup;
 use super::source::Strip;
 use super::surroundings::Surroundings;
 use crate::element::plane::{Capacity, Conduction, Elasticity, PlaneState, Thickness, WHOLE};
+use crate::input::Varying;
 use crate::mesh::{Mesh, MeshError, Side};
 use crate::process::Failure;
-use crate::solve::conduction::{Condition, History, Instant, Run, ThermalSystem};
+use crate::solve::conduction::{Condition, History, Instant, Loss, Run, ThermalSystem};
 use crate::solve::elastic::{ElasticSystem, Loads};
 use crate::solve::rod::{PointSource, Probe, Track};
 use crate::units::LENGTH;
@@ -61,7 +62,20 @@ fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Result<Vec<Condi
             boundary::Condition::Flux(flux) => Condition::Flux { sides, flux: flux.clone() },
             boundary::Condition::Convection { coefficient, ambient } => {
                 let ambient = ambient.as_ref().map_or(around.clone(), rise);
-                Condition::Convection { sides, coefficient: *coefficient, ambient }
+                match coefficient {
+                    Varying::Constant(coefficient) => {
+                        Condition::Convection { sides, coefficient: *coefficient, ambient }
+                    }
+                    Varying::Record(film) => {
+                        let loss = Loss::Film(History::Record(film.clone()));
+                        Condition::Surface { sides, loss, ambient }
+                    }
+                }
+            }
+            boundary::Condition::Radiation { emissivity, ambient } => {
+                let ambient = ambient.as_ref().map_or(around.clone(), rise);
+                let loss = Loss::Radiation { emissivity: *emissivity, zero: setup.start };
+                Condition::Surface { sides, loss, ambient }
             }
             boundary::Condition::Temperature(own) => Condition::Temperature { sides, temperature: rise(own) },
             boundary::Condition::Moving { speed, width, flux, from } => {

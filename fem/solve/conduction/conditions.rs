@@ -1,6 +1,6 @@
 //! Conditions that heat and cool a body.
 
-use super::{History, Power, ThermalError};
+use super::{History, Loss, Power, ThermalError};
 use crate::element::plane::{Thickness, WHOLE};
 use crate::mesh::{Mesh, Side};
 
@@ -41,6 +41,15 @@ pub enum Condition {
         sides: String,
         /// Heat transfer coefficient h, W/(m² K).
         coefficient: f64,
+        /// T_a over time.
+        ambient: History,
+    },
+    /// A loss through the sides that is not in proportion to their temperature, or whose film changes.
+    Surface {
+        /// Name of the sides.
+        sides: String,
+        /// The loss.
+        loss: Loss,
         /// T_a over time.
         ambient: History,
     },

@@ -38,6 +38,12 @@ pub enum ThermalError {
         /// Nodes of the mesh.
         nodes: usize,
     },
+    /// A stage of a step found no temperatures at which a surface loses what comes in.
+    #[error("no temperatures were found at which the surfaces lose what they are given, {time} s after the start")]
+    NoBalance {
+        /// Begin of the step, s.
+        time: f64,
+    },
     /// Nothing holds the temperature of a piece of the mesh, so that it has no steady state.
     #[error("the body of element {element} is insulated: its steady temperature is undetermined")]
     Insulated {

@@ -9,6 +9,7 @@ mod energy;
 mod error;
 mod history;
 mod scheme;
+mod surface;
 mod system;
 mod transient;
 
@@ -17,5 +18,6 @@ pub use energy::Energy;
 pub use error::ThermalError;
 pub use history::{History, Power, Pulse, Swing};
 pub use scheme::Scheme;
+pub use surface::{Loss, STEFAN_BOLTZMANN};
 pub use system::ThermalSystem;
 pub use transient::{Instant, Run};

@@ -3,10 +3,16 @@
 use std::sync::Arc;
 
 use super::conditions::{Amplitude, MovingStrip, Supply, side_shares};
+use super::surface::Surface;
 use super::{Condition, History, ThermalError};
 use crate::element::plane::{Capacity, Conduction, EDGE_NODES, MAX_NODES, Square, Thickness};
 use crate::mesh::{Mesh, Side};
 use crate::solve::sparse::{Analysis, Freedoms, Graph, Matrix, Order, Pattern, Solver};
+
+/// Steps of Newton's method in which surfaces find their temperatures.
+pub(super) const MAX_ITERATIONS: usize = 60;
+/// Changes of temperatures at which they have, K: far above round-off of a thousand kelvin, far below what anybody measures.
+const REST: f64 = 1e-9;
 
 /// A body with its conditions, assembled.
 pub struct ThermalSystem<'m> {
@@ -27,6 +33,7 @@ pub struct ThermalSystem<'m> {
     pub(super) stores: Vec<f64>,
     pub(super) switches: Vec<f64>,
     ambients: Vec<Supply>,
+    pub(super) surfaces: Vec<Surface>,
 }
 
 impl<'m> ThermalSystem<'m> {
@@ -87,6 +94,7 @@ impl<'m> ThermalSystem<'m> {
             stores,
             switches,
             ambients,
+            surfaces: Surface::of(mesh, law.thickness, conditions)?,
         })
     }
 
@@ -101,9 +109,20 @@ impl<'m> ThermalSystem<'m> {
         self.add_ambient(time, [time; 2], &mut heat);
         let mut temperatures = vec![0.0; self.freedoms.len()];
         self.set_held(time, &mut temperatures);
-        let solver = Solver::new(&self.analysis, &self.conductance, &self.freedoms, self.mesh.nodes())?;
-        solver.solve(&self.conductance, &heat, &mut temperatures)?;
-        Ok(self.freedoms.scatter(&temperatures))
+        for _ in 0..MAX_ITERATIONS {
+            let (mut supplied, mut slopes) = (heat.clone(), vec![0.0; heat.len()]);
+            self.lose((time, [time; 2]), &temperatures, &mut supplied, &mut slopes);
+            supplied.iter_mut().zip(&slopes).zip(&temperatures).for_each(|((heat, slope), own)| *heat += slope * own);
+            let matrix = self.with_slopes(&self.conductance, 1.0, &slopes);
+            let solver = Solver::new(&self.analysis, &matrix, &self.freedoms, self.mesh.nodes())?;
+            let before = temperatures.clone();
+            solver.solve(&matrix, &supplied, &mut temperatures)?;
+            let moved = temperatures.iter().zip(&before).map(|(now, before)| (now - before).abs()).fold(0.0, f64::max);
+            if self.surfaces.is_empty() || is_at_rest(moved) {
+                return Ok(self.freedoms.scatter(&temperatures));
+            }
+        }
+        Err(ThermalError::NoBalance { time })
     }
 
     /// Mean temperature over the body of the temperatures of all nodes, weighted by heat capacity.
@@ -155,6 +174,34 @@ impl<'m> ThermalSystem<'m> {
         sum
     }
 
+    /// Takes what surfaces lose at these temperatures (in the order of the matrix) and at `time` of a step off the heat (W), and adds what
+    /// a kelvin makes of it (W/K). The sum of what they lose.
+    pub(super) fn lose(&self, at: (f64, [f64; 2]), temperatures: &[f64], heat: &mut [f64], slopes: &mut [f64]) -> f64 {
+        let mut sum = 0.0;
+        for surface in &self.surfaces {
+            surface.lose(
+                at,
+                |node| temperatures[self.freedoms.number(node)],
+                |node, lost, slope| {
+                    let number = self.freedoms.number(node);
+                    heat[number] -= lost;
+                    slopes[number] += slope;
+                    sum += lost;
+                },
+            );
+        }
+        sum
+    }
+
+    /// A matrix with what surfaces add to its diagonal, `factor` times.
+    pub(super) fn with_slopes(&self, matrix: &Matrix, factor: f64, slopes: &[f64]) -> Matrix {
+        let mut matrix = matrix.clone();
+        for (number, slope) in slopes.iter().enumerate().filter(|(_, slope)| **slope != 0.0) {
+            matrix.add_diagonal(number, factor * slope);
+        }
+        matrix
+    }
+
     /// Every piece of the mesh must lose heat somewhere, or have a prescribed temperature.
     fn check_held(&self) -> Result<(), ThermalError> {
         let pieces = self.mesh.pieces();
@@ -162,11 +209,19 @@ impl<'m> ThermalSystem<'m> {
         for (node, &piece) in pieces.iter().enumerate() {
             is_held[piece as usize] |= self.freedoms.is_held(node) || self.losses[self.freedoms.number(node)] > 0.0;
         }
+        for node in self.surfaces.iter().flat_map(Surface::holds) {
+            is_held[pieces[node] as usize] = true;
+        }
         match self.mesh.elements().find(|element| !is_held[pieces[element.nodes[0] as usize] as usize]) {
             Some(element) => Err(ThermalError::Insulated { element: element.index }),
             None => Ok(()),
         }
     }
+}
+
+/// Whether temperatures that changed by so much at most (K) have come to rest.
+pub(super) fn is_at_rest(change: f64) -> bool {
+    change <= REST
 }
 
 fn check(law: &Conduction) -> Result<(), ThermalError> {
@@ -271,7 +326,10 @@ fn supplies(
                 let sides = mesh.sides(sides)?;
                 strips.push(MovingStrip::new(mesh, sides, law.thickness, [*flux, *width, *start, *speed])?);
             }
-            Condition::Convection { .. } | Condition::Faces { .. } | Condition::Temperature { .. } => {}
+            Condition::Convection { .. }
+            | Condition::Surface { .. }
+            | Condition::Faces { .. }
+            | Condition::Temperature { .. } => {}
         }
     }
     Ok((supplies, strips))

@@ -1,7 +1,11 @@
 //! Stepping through time: one factor for every length of step, steps that end where a source is switched.
 
+use super::system::{MAX_ITERATIONS, is_at_rest};
 use super::{Energy, Scheme, ThermalError, ThermalSystem};
 use crate::solve::sparse::{Matrix, Solver};
+
+/// Part of a change of temperatures that the next one may be, before slopes are taken anew.
+const SLOW: f64 = 0.2;
 
 /// How a run steps through time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,8 +112,10 @@ struct Stepper<'s> {
     scheme: Scheme,
     length: f64,
     solver: Solver,
-    /// C + γ Δt K.
+    /// C + γ Δt K, and what surfaces add to that where it was factored.
     matrix: Matrix,
+    /// What a kelvin makes of the heat that surfaces lose, W/K, where it was factored.
+    slopes: Vec<f64>,
     /// Rates k of the stages (K/s), the heat and the temperatures of a stage: kept between steps.
     rates: Vec<Vec<f64>>,
     heat: Vec<f64>,
@@ -122,7 +128,19 @@ impl<'s> Stepper<'s> {
         let solver = Solver::new(&system.analysis, &matrix, &system.freedoms, system.mesh.nodes())?;
         let size = system.freedoms.len();
         let rates = vec![vec![0.0; size]; scheme.weights().len()];
-        Ok(Self { system, scheme, length, solver, matrix, rates, heat: vec![0.0; size], base: vec![0.0; size] })
+        let [heat, base, slopes] = [(); 3].map(|()| vec![0.0; size]);
+        Ok(Self { system, scheme, length, solver, matrix, slopes, rates, heat, base })
+    }
+
+    /// Factors anew with these slopes of what surfaces lose, W/K.
+    fn factor(&mut self, slopes: Vec<f64>) -> Result<(), ThermalError> {
+        let system = self.system;
+        let reach = self.scheme.gamma() * self.length;
+        let matrix = system.capacity.combined(1.0, &system.conductance, reach);
+        self.matrix = system.with_slopes(&matrix, reach, &slopes);
+        self.solver = Solver::new(&system.analysis, &self.matrix, &system.freedoms, system.mesh.nodes())?;
+        self.slopes = slopes;
+        Ok(())
     }
 
     fn step(&mut self, time: f64, state: &mut [f64], energy: &mut Energy) -> Result<(), ThermalError> {
@@ -169,17 +187,65 @@ impl<'s> Stepper<'s> {
         for (rate, base) in rates[free..].iter_mut().zip(&self.base[free..]) {
             *rate = (*rate - base) / (part * self.length);
         }
-        self.matrix.add_held_columns(-1.0, rates, &mut self.heat);
-        rates[..free].copy_from_slice(&self.heat[..free]);
-        self.solver.solve_unchecked(&mut rates[..free]);
+        let by_surfaces = if system.surfaces.is_empty() {
+            self.matrix.add_held_columns(-1.0, rates, &mut self.heat);
+            rates[..free].copy_from_slice(&self.heat[..free]);
+            self.solver.solve_unchecked(&mut rates[..free]);
+            0.0
+        } else {
+            self.balance(stage, (at, whole))?
+        };
+        let rates = &self.rates[stage];
         // heat into prescribed nodes: what is missing in their rows
         let mut missing = vec![0.0; rates.len()];
         self.matrix.add_held_rows(1.0, rates, &mut missing);
         let prescribed: f64 = missing[free..].iter().zip(&self.heat[free..]).map(|(row, heat)| row - heat).sum();
         let lost = |((loss, base), rate): ((&f64, &f64), &f64)| loss * (base + gamma * self.length * rate);
-        let convected = system.losses.iter().zip(&self.base).zip(&*rates).map(lost).sum::<f64>() - from_ambient;
+        let convected =
+            system.losses.iter().zip(&self.base).zip(rates).map(lost).sum::<f64>() - from_ambient + by_surfaces;
         let span = weight * self.length;
         energy.add(0.0, span * supplied, span * convected, span * prescribed);
         Ok(())
+    }
+
+    /// The rates of a stage at `time` of a step with which surfaces lose what they do at the temperatures that these lead to; the sum of
+    /// that, W. By Newton's steps with the slopes that were factored last, and new ones where these come near too slowly.
+    fn balance(&mut self, stage: usize, at: (f64, [f64; 2])) -> Result<f64, ThermalError> {
+        let system = self.system;
+        let (free, reach) = (system.freedoms.free(), self.scheme.gamma() * self.length);
+        let supplied = self.heat.clone();
+        // As they were a stage ago is near.
+        let before = if stage == 0 { self.rates.len() - 1 } else { stage - 1 };
+        let near: Vec<f64> = self.rates[before][..free].to_vec();
+        self.rates[stage][..free].copy_from_slice(&near);
+        let mut last = f64::INFINITY;
+        for _ in 0..MAX_ITERATIONS {
+            let temperatures: Vec<f64> =
+                self.base.iter().zip(&self.rates[stage]).map(|(base, rate)| base + reach * rate).collect();
+            let mut slopes = vec![0.0; temperatures.len()];
+            self.heat.copy_from_slice(&supplied);
+            let lost = system.lose(at, &temperatures, &mut self.heat, &mut slopes);
+            let old = self.rates[stage].clone();
+            for ((heat, slope), rate) in self.heat.iter_mut().zip(&self.slopes).zip(&old) {
+                *heat += slope * reach * rate;
+            }
+            let mut right = self.heat.clone();
+            self.matrix.add_held_columns(-1.0, &self.rates[stage], &mut right);
+            let rates = &mut self.rates[stage];
+            rates[..free].copy_from_slice(&right[..free]);
+            self.solver.solve_unchecked(&mut rates[..free]);
+            let moved = rates.iter().zip(&old).map(|(now, old)| reach * (now - old).abs()).fold(0.0, f64::max);
+            if is_at_rest(moved) {
+                let further =
+                    rates.iter().zip(&old).zip(&self.slopes).map(|((now, old), slope)| slope * reach * (now - old));
+                return Ok(lost + further.sum::<f64>());
+            }
+            // Nothing was compared in the first round, but that the factor has no slopes at all is slow for sure.
+            if moved > SLOW * last || self.slopes.iter().all(|own| *own == 0.0) {
+                self.factor(slopes)?;
+            }
+            last = moved;
+        }
+        Err(ThermalError::NoBalance { time: at.1[0] })
     }
 }

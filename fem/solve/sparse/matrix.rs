@@ -36,6 +36,11 @@ impl Matrix {
         Self { pattern: Arc::clone(&self.pattern), values }
     }
 
+    /// Adds to the diagonal entry of a column.
+    pub fn add_diagonal(&mut self, number: usize, value: f64) {
+        self.values[self.pattern.starts[number] as usize] += value;
+    }
+
     /// Diagonal entry of a column.
     pub fn diagonal(&self, number: usize) -> f64 {
         self.values[self.pattern.starts[number] as usize]

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::rig::*;
-use crate::input::Record;
+use crate::input::{Record, Varying};
 use crate::process::Rows;
 use crate::processes::thermal::boundary::Condition;
 use crate::processes::thermal::forward::{follow, observe};
@@ -147,7 +147,7 @@ fn edges() -> Vec<Case> {
     let held =
         with_edge(bar("edge = \"left\", temperature = \"20 degC\"", long), ramp(293.15).map(Condition::Temperature));
     let lag = rate * RHO_C / K * 0.5 * LENGTH * LENGTH;
-    let film = |ambient| Condition::Convection { coefficient: 200.0, ambient: Some(ambient) };
+    let film = |ambient| Condition::Convection { coefficient: Varying::Constant(200.0), ambient: Some(ambient) };
     let blown = with_edge(
         bar("edge = \"left\", convection = \"200 W/m^2/K\", ambient = \"20 degC\"", long),
         ramp(293.15).map(film),

@@ -9,6 +9,7 @@ mod plates;
 mod revolved;
 mod rig;
 mod series;
+mod surfaces;
 mod surroundings;
 mod tubes;
 
@@ -17,5 +18,6 @@ use crate::validation::Case;
 /// Every case.
 pub fn cases() -> Vec<Case> {
     let all = [series::cases(), effects::cases(), benchmarks::cases(), plates::cases(), cooling::cases()];
-    [all.concat(), inputs::cases(), surroundings::cases(), revolved::cases(), tubes::cases()].concat()
+    [all.concat(), inputs::cases(), surroundings::cases(), revolved::cases(), tubes::cases(), surfaces::cases()]
+        .concat()
 }
