@@ -70,6 +70,10 @@ impl Body {
         if t.has("file") && width.is_none() {
             t.problem("file", "a plane body needs its width, across the plane", "add width = \"60 mm\"");
         }
+        if width.is_some() && !t.has("file") {
+            let help = "leave it out: a rectangle has its own, and a rod or a body of revolution none";
+            t.problem("width", "`width` is of a mesh from a file", help);
+        }
         match (rectangle, mesh) {
             (Some(plane), _) => Self::Plane(plane),
             (None, Some(mesh)) => {

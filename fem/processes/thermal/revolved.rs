@@ -54,6 +54,20 @@ pub fn radii_at(walls: &[Segment], x: f64) -> [f64; 2] {
     walls.iter().find(reaches).or(walls.last()).map_or([f64::NAN; 2], radii_of)
 }
 
+/// Where the bore begins and ends, m: from end to end of the body where both have one, and nothing where none does.
+pub fn bored(walls: &[Segment]) -> [f64; 2] {
+    let mut start = 0.0;
+    let mut ends = [f64::INFINITY, 0.0];
+    for wall in walls {
+        let end = start + wall.length;
+        if wall.section.bore > 0.0 {
+            ends = [f64::min(ends[0], start), end];
+        }
+        start = end;
+    }
+    ends
+}
+
 /// Where a length of the body that has no bore lies between two places (m), if there is one: its own length, m.
 pub fn solid(walls: &[Segment], [from, to]: [f64; 2]) -> Option<f64> {
     let mut start = 0.0;

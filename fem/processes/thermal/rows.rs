@@ -1,6 +1,7 @@
 //! Measurements of a heated body: how far its end has moved, temperatures at places, and how diameters have changed, over
 //! time.
 
+use super::revolved;
 use super::setup::Setup;
 use crate::process::{Absent, CandidateExperiment, Coordinate, Holds, Limit, Misplaced, Observable, Rows, Values};
 use crate::units::{LENGTH, MICRO, TEMPERATURE, TIME};
@@ -81,6 +82,16 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
             let message =
                 format!("the change of a diameter is that of a body of revolution, not of {}", setup.body.name());
             return Some((X, message));
+        }
+        if let (DIAMETER, Some(walls), Some(y)) = (rows.observable[row], setup.body.revolved(), rows.get(Y, row)) {
+            let [inner, outer] = revolved::radii_at(walls, rows.get(X, row).unwrap_or_default());
+            let slack = 1e-9 * outer;
+            if y > inner + slack && y < outer - slack {
+                let [inner, outer, y] = [inner, outer, y].map(|radius| LENGTH.format(radius));
+                let message =
+                    format!("y = {y} is within the body, whose surfaces there have radii of {inner} and {outer}");
+                return Some((Y, message));
+            }
         }
         outside(row, X, setup.body.extent()).or_else(|| match plane {
             Some(plane) => outside(row, Y, plane.extent_at(rows.get(X, row).unwrap_or_default())),

@@ -105,6 +105,7 @@ fn read_strip(t: &Reader, body: &Body) -> Option<(String, [f64; 2])> {
     let reach = match edge.as_str() {
         LEFT => revolved::radii_at(walls, 0.0),
         RIGHT => revolved::radii_at(walls, length),
+        BORE => revolved::bored(walls),
         _ => [0.0, length],
     };
     let ends = [from.unwrap_or(reach[0]), to.unwrap_or(reach[1])];
