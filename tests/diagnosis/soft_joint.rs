@@ -1,6 +1,7 @@
 //! Which of six joints is soft: machines drawn as beams and joints, pushed and watched by dials, by another solver.
 
 use fem::diagnose::{CERTAIN, Cause, Diagnosis, Verdict};
+use generator::mill;
 use generator::structure::{SoftJoint, as_written, soft_joint};
 
 use crate::left_wrong::diagnosed;
@@ -46,8 +47,11 @@ fn told(case: &SoftJoint, diagnosis: &Diagnosis) -> Told {
     told
 }
 
-fn all(seeds: impl Iterator<Item = u64>, lambda: f64) -> Vec<(SoftJoint, Option<Told>)> {
-    let cases: Vec<SoftJoint> = seeds.map(|seed| soft_joint(seed, lambda)).collect();
+/// How a machine with a soft joint is made, by its seed and the length at which it is seen.
+type Made = fn(u64, f64) -> SoftJoint;
+
+fn all(made: Made, seeds: impl Iterator<Item = u64>, lambda: f64) -> Vec<(SoftJoint, Option<Told>)> {
+    let cases: Vec<SoftJoint> = seeds.map(|seed| made(seed, lambda)).collect();
     let found =
         side_by_side(&cases, |case| diagnosed(case.model.clone(), &case.data).map(|diagnosis| told(case, &diagnosis)));
     cases.into_iter().zip(found).collect()
@@ -56,13 +60,23 @@ fn all(seeds: impl Iterator<Item = u64>, lambda: f64) -> Vec<(SoftJoint, Option<
 /// A sample: at thirty standard uncertainties the joint is named, and nothing else is certain.
 #[test]
 fn the_soft_one_of_six_joints_is_named() {
-    let cases = all(0..6, 30.0);
+    let cases = all(soft_joint, 0..6, 30.0);
     for (case, told) in &cases {
         let told = told.unwrap_or_default();
         assert!(told.no_other, "{}: {told:?}", case.joint);
     }
     let named = cases.iter().filter(|(_, told)| told.is_some_and(|told| told.named)).count();
     assert!(named >= 5, "{named} of {}", cases.len());
+}
+
+/// The same of milling machines, from the tops of plates that were milled on them.
+#[test]
+fn the_soft_joint_under_a_milled_plate_is_named() {
+    let cases = all(mill::soft_joint, 0..4, 30.0);
+    for (case, told) in &cases {
+        let told = told.unwrap_or_default();
+        assert!(told.named && told.no_other && told.holds, "{}: {told:?}", case.joint);
+    }
 }
 
 /// With every joint as it is written nothing is missing.
@@ -76,15 +90,18 @@ fn a_machine_as_it_is_drawn_misses_nothing() {
 #[test]
 #[ignore = "minutes long; prints a table of README.md"]
 fn the_whole_of_soft_joints() {
-    println!("| lambda | cases | named first | nothing else certain | interval holds it | mean class |");
-    println!("|---|---|---|---|---|---|");
-    for lambda in [8.0, 15.0, 30.0, 100.0] {
-        let cases = all((0..60).step_by(every()), lambda);
+    println!("| machine | lambda | cases | named first | nothing else certain | interval holds it | mean class |");
+    println!("|---|---|---|---|---|---|---|");
+    let machines: [(&str, Made); 2] = [("pushed", soft_joint), ("milling", mill::soft_joint)];
+    for (machine, made, lambda) in
+        machines.into_iter().flat_map(|(name, made)| [8.0, 15.0, 30.0, 100.0].map(|lambda| (name, made, lambda)))
+    {
+        let cases = all(made, (0..60).step_by(every()), lambda);
         let told: Vec<Told> = cases.iter().map(|(_, told)| told.unwrap_or_default()).collect();
         let part = |of: fn(&Told) -> bool| 100.0 * told.iter().filter(|own| of(own)).count() as f64 / told.len() as f64;
         let class = told.iter().map(|own| own.class as f64).sum::<f64>() / told.len() as f64;
         println!(
-            "| {lambda} | {} | {:.0} % | {:.0} % | {:.0} % | {class:.2} |",
+            "| {machine} | {lambda} | {} | {:.0} % | {:.0} % | {:.0} % | {class:.2} |",
             told.len(),
             part(|own| own.named),
             part(|own| own.no_other),

@@ -19,6 +19,7 @@ pub mod job;
 pub mod law;
 pub mod machine;
 pub mod meeting;
+pub mod mill;
 pub mod preload;
 pub mod random;
 pub mod ring;

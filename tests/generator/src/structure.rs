@@ -26,19 +26,19 @@ pub const JOINTS: [&str; 6] = ["left-foot", "right-foot", "first-seat", "first-t
 
 /// Joints: names, nodes (the second is the ground where it is none), direction, stiffness in SI.
 #[derive(Clone, Copy)]
-struct Joint {
-    name: &'static str,
-    nodes: (usize, Option<usize>),
-    way: usize,
-    stiffness: f64,
+pub(crate) struct Joint {
+    pub name: &'static str,
+    pub nodes: (usize, Option<usize>),
+    pub way: usize,
+    pub stiffness: f64,
 }
 
 /// A member: name, nodes, width, height in m, of cast iron.
-struct Member {
-    name: &'static str,
-    nodes: [usize; 2],
-    width: f64,
-    height: f64,
+pub(crate) struct Member {
+    pub name: &'static str,
+    pub nodes: [usize; 2],
+    pub width: f64,
+    pub height: f64,
 }
 
 struct Machine {
@@ -104,26 +104,9 @@ impl Machine {
 
     /// Readings of all dials, place by place, under a unit force along y.
     fn readings(&self, joints: &[Joint]) -> Vec<f64> {
-        let size = 3 * self.nodes.len();
-        let mut stiffness = vec![vec![0.0; size]; size];
-        for member in &self.members {
-            let [a, b] = member.nodes.map(|node| self.nodes[node].1);
-            let own = beam([b[0] - a[0], b[1] - a[1]], member.width, member.height);
-            let at = |k: usize| 3 * member.nodes[k / 3] + k % 3;
-            for (i, row) in own.iter().enumerate() {
-                row.iter().enumerate().for_each(|(j, value)| stiffness[at(i)][at(j)] += value);
-            }
-        }
-        for joint in joints {
-            let one = 3 * joint.nodes.0 + joint.way;
-            stiffness[one][one] += joint.stiffness;
-            if let Some(node) = joint.nodes.1 {
-                let other = 3 * node + joint.way;
-                stiffness[other][other] += joint.stiffness;
-                stiffness[one][other] -= joint.stiffness;
-                stiffness[other][one] -= joint.stiffness;
-            }
-        }
+        let places: Vec<[f64; 2]> = self.nodes.iter().map(|node| node.1).collect();
+        let size = 3 * places.len();
+        let stiffness = stiffness(&places, &self.members, joints);
         let of_load = |load: &usize| {
             let mut force = vec![0.0; size];
             force[3 * load + 1] = 1.0;
@@ -172,6 +155,31 @@ impl Machine {
         }
         text
     }
+}
+
+/// Stiffness of a frame over u, v, θ of every node.
+pub(crate) fn stiffness(nodes: &[[f64; 2]], members: &[Member], joints: &[Joint]) -> Vec<Vec<f64>> {
+    let size = 3 * nodes.len();
+    let mut stiffness = vec![vec![0.0; size]; size];
+    for member in members {
+        let [a, b] = member.nodes.map(|node| nodes[node]);
+        let own = beam([b[0] - a[0], b[1] - a[1]], member.width, member.height);
+        let at = |k: usize| 3 * member.nodes[k / 3] + k % 3;
+        for (i, row) in own.iter().enumerate() {
+            row.iter().enumerate().for_each(|(j, value)| stiffness[at(i)][at(j)] += value);
+        }
+    }
+    for joint in joints {
+        let one = 3 * joint.nodes.0 + joint.way;
+        stiffness[one][one] += joint.stiffness;
+        if let Some(node) = joint.nodes.1 {
+            let other = 3 * node + joint.way;
+            stiffness[other][other] += joint.stiffness;
+            stiffness[one][other] -= joint.stiffness;
+            stiffness[other][one] -= joint.stiffness;
+        }
+    }
+    stiffness
 }
 
 /// Stiffness of a beam that shears between its ends (u, v, θ each), along and across the plane's axes.
