@@ -221,6 +221,9 @@ fn a_membrane_holds_a_ring() {
     place.write("membrane.toml", good.replace("\"15 kN\"", "\"5 kN\""));
     let answer = place.fem(&["run", "membrane.toml"]);
     assert!(answer.err.contains("it does not go in"), "{}", answer.err);
+    place.write("membrane.toml", good.replace("thickness = \"10 mm\"", "thickness = \"25 mm\""));
+    let answer = place.fem(&["run", "membrane.toml"]);
+    assert!(answer.err.contains("it shears, which is left out"), "{}", answer.err);
 }
 
 #[test]

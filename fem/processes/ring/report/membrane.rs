@@ -2,10 +2,12 @@
 
 use super::super::membrane::Grasp;
 use crate::process::Figure;
-use crate::units::{FORCE, MICRO, STIFFNESS, STRESS};
+use crate::units::{FORCE, LENGTH, MICRO, STIFFNESS, STRESS};
 
 /// Deflections are small up to this part of the thickness: beyond, what the plate stretches makes it stiffer.
 const SMALL: f64 = 0.5;
+/// Thickness as a part of the length over which it bends, above which shear adds more than some hundredths: the square of that.
+const THICK: f64 = 0.25;
 
 /// Stiffnesses in series, the opening, stresses.
 pub fn figure(grasp: &Grasp) -> Figure {
@@ -56,5 +58,14 @@ pub fn warnings(grasp: &Grasp) -> Vec<String> {
             MICRO.shown(bow)
         )
     });
-    shut.into_iter().chain(stretched).collect()
+    let plate = &membrane.plate;
+    let beside = membrane.arms.circle.min(plate.radius - membrane.arms.circle);
+    let thick = (plate.thickness > THICK * beside).then(|| {
+        let [thickness, beside] = [plate.thickness, beside].map(|length| LENGTH.shown(length));
+        format!(
+            "the plate is {thickness:.1} thick, and bends over {beside:.1} beside the jaws: it shears, which is left out, and is \
+             softer than it is taken to be"
+        )
+    });
+    shut.into_iter().chain(stretched).chain(thick).collect()
 }
