@@ -11,6 +11,7 @@ mod cam;
 mod compare;
 mod compensate;
 mod contour;
+mod copies;
 mod correct;
 mod discover;
 mod events;
@@ -23,6 +24,7 @@ mod formula;
 #[cfg(unix)]
 mod hostile;
 mod import;
+mod judged;
 mod measurement;
 mod mesh_file;
 mod next;
