@@ -18,7 +18,8 @@ use crate::process::Values;
 const CHANCE: f64 = 1e-6;
 /// Least chance of two readings at one place to be equal: gauges are set to zero there, and scales end.
 const LEAST: f64 = 0.01;
-/// Fewest rows that follow each other as others did, of a block that was pasted again.
+/// Fewest rows that follow each other as others did, of a block that was pasted again, and fewest readings that were doubled:
+/// fewer are a gauge that does not move.
 const FEWEST: usize = 8;
 /// Least share of the rows that have a double, where all of them were doubled.
 const NEARLY_ALL: f64 = 0.95;
@@ -135,7 +136,7 @@ impl Measurements {
         readings.iter().for_each(|level| counts[*level] += 1);
         let times = *counts.iter().min_by_key(|count| (**count == 1, **count))?;
         let whole: usize = counts.iter().filter(|count| count.is_multiple_of(times)).sum();
-        if times < 2 || (whole as f64) < NEARLY_ALL * self.len() as f64 {
+        if times < 2 || counts.len() < FEWEST || (whole as f64) < NEARLY_ALL * self.len() as f64 {
             return None;
         }
         let (places, chances) = (self.places(), self.chances());
@@ -228,7 +229,7 @@ impl Equal {
     fn is_beyond_chance(&self, count: usize) -> bool {
         let n = count as f64;
         let (share, expected) = (self.rows.len() as f64 / n, self.by_chance / n);
-        if !(share > expected) {
+        if count == 0 || share <= expected {
             return false;
         }
         let part = |own: f64, other: f64| if own > 0.0 { own * (own / other).ln() } else { 0.0 };

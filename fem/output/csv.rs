@@ -48,7 +48,7 @@ mod tests {
 
     #[test]
     fn what_is_no_number_is_an_empty_cell() {
-        let columns = vec![Column::numbers("stiffness", Some("N/um"), vec![2.0, f64::INFINITY, f64::NAN])];
-        assert_eq!(table(&Table { columns }), "stiffness [N/um]\n2\n\n\n");
+        let columns = vec![Column::numbers("rate", Some("um"), vec![2.0, f64::INFINITY, f64::NAN])];
+        assert_eq!(table(&Table { columns }), "rate [um]\n2\n\n\n");
     }
 }
