@@ -114,13 +114,17 @@ impl Measurements {
 
     fn chance(&self, observable: usize, rows: &[usize]) -> f64 {
         let values: Vec<f64> = rows.iter().map(|row| self.observed[*row]).collect();
-        let step = step_of(self, &self.observed, observable).or_else(|| written_step(self, observable));
-        let Some(step) = step.filter(|_| !rows.is_empty()) else { return 0.0 };
         let distinct = parted(vec![0; values.len()], |i| values[i].to_bits()).into_iter().max().map_or(0, |m| m + 1);
+        if distinct < LEAST_VALUES {
+            // A gauge that does not move.
+            return 1.0;
+        }
+        let step = step_of(self, &self.observed, observable).or_else(|| written_step(self, observable));
+        let Some(step) = step else { return 0.0 };
         // Rows that repeat their neighbours are no scatter.
         let mut once = values;
         once.dedup();
-        let seen = (distinct >= LEAST_VALUES && once.len() > 2).then(|| of_neighbours(&once));
+        let seen = (once.len() > 2).then(|| of_neighbours(&once));
         let told = self.uncertainty.as_ref().map(|u| {
             let mut own: Vec<f64> = rows.iter().map(|row| u[*row]).collect();
             own.sort_unstable_by(f64::total_cmp);
