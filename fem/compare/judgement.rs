@@ -1,7 +1,7 @@
 //! Whether rows can tell that a model is right, or that it is wrong: the one rule of all commands.
 
-use crate::measure::{LEAST_NEIGHBOURS, Repeats};
-use crate::noise::{Noise, NoiseSource};
+use crate::measure::{LEAST_NEIGHBOURS, Measurements, Repeats};
+use crate::noise::{Noise, NoiseSource, is_round_off};
 
 /// Fewest places at which rows show that a model is wrong where nothing tells the noise: fewer rows have no structure that
 /// chance has not.
@@ -19,12 +19,14 @@ pub enum Judges {
 }
 
 impl Judges {
-    /// What rows can tell that stand at so many places, under a noise.
-    pub fn of(noise: &Noise, repeats: &Repeats) -> Self {
+    /// What rows can tell of a model that leaves these residuals (SI), under a noise.
+    pub fn of(data: &Measurements, residuals: &[f64], noise: &Noise, repeats: &Repeats) -> Self {
+        // Rows that the model itself made need no noise to be held against.
+        let is_exact = || is_round_off(residuals, &data.observed);
         match (noise.source, repeats.groups) {
             (NoiseSource::Column | NoiseSource::Covariance | NoiseSource::Repeats, _) => Self::Both,
             (NoiseSource::Estimated, places) if places < FEWEST_PLACES => Self::Nothing,
-            (NoiseSource::Estimated, places) if places < LEAST_NEIGHBOURS => Self::Wrong,
+            (NoiseSource::Estimated, places) if places < LEAST_NEIGHBOURS && !is_exact() => Self::Wrong,
             (NoiseSource::Estimated, _) => Self::Both,
         }
     }

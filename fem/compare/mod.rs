@@ -139,7 +139,7 @@ pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
         worst,
         reduced_chi2,
         p_value,
-        judges: Judges::of(&noise, &repeats),
+        judges: Judges::of(measurements, &residuals, &noise, &repeats),
         features,
         suspects,
         cautions: data.cautions.clone(),

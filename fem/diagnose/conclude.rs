@@ -68,7 +68,8 @@ pub fn conclude(
     let (before, mut after) = (goodness(&found.base), goodness(&best));
     let features = verdict::features(&found.base);
     let mut remaining = if best.members.is_empty() { features.clone() } else { verdict::features(&best) };
-    let judges = Judges::of(&found.base.objective.noise, repeats);
+    let base = &found.base.objective;
+    let judges = Judges::of(base.data, &found.base.residuals(), &base.noise, repeats);
     let mut verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining), judges);
     if is_imitation && !matches!(verdict, Verdict::Adequate | Verdict::NotJudged) {
         verdict = Verdict::Unexplained;

@@ -185,7 +185,7 @@ fn rank(
     let (chi2, freedom) = (projected.residual.norm_squared(), projected.freedom);
     let mut discovery = Discovery {
         before: chi2 / freedom,
-        judges: Judges::of(&objective.noise, data.repeats()),
+        judges: Judges::of(data, &data.residuals(&solution.predicted), &objective.noise, data.repeats()),
         is_nothing_left: beyond_chi2(freedom, chi2).is_some_and(|p| p >= SIGNIFICANCE),
         laws: Vec::new(),
         tried: Vec::new(),
