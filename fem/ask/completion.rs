@@ -6,6 +6,7 @@ use crate::fit::{Fit, has_nothing_to_fit};
 use crate::input::Problem;
 use crate::model::{Data, Entry, Model, Setting, add_effect};
 use crate::output::{Addition, additions};
+use crate::progress::Progress;
 
 /// Estimates what the model leaves open.
 ///
@@ -22,9 +23,18 @@ pub fn fit(data: &Data) -> Result<Fit, Error> {
 /// The model with every fitted value that the data tell.
 ///
 /// # Errors
-/// A fitted value lies outside of what a model may hold.
+/// A fitted value lies outside of what a model may hold, or a formula has no value where nobody measured.
 pub fn fitted(data: &Data, fit: &Fit) -> Result<Model, Error> {
-    Ok(data.model.edited(&crate::fit::edits(data, fit))?)
+    with_values_everywhere(data.model.edited(&crate::fit::edits(data, fit))?)
+}
+
+/// A model that runs as well as it compares: a formula has a value at every row of its own programme, too. Columns that only
+/// measurements have are in no programme.
+fn with_values_everywhere(model: Model) -> Result<Model, Error> {
+    if model.effects.iter().any(|own| own.formula.is_some()) && model.recorded().is_empty() {
+        model.forward().predict(&Progress::default())?;
+    }
+    Ok(model)
 }
 
 /// The model with the missing effects and every fitted value.
@@ -36,7 +46,7 @@ pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
     for addition in additions(data, diagnosis) {
         better = mended(&better, &addition)?;
     }
-    Ok(better)
+    with_values_everywhere(better)
 }
 
 /// The model with one cause seen to.

@@ -7,7 +7,7 @@ use miette::{
     SourceSpan, SpanContents,
 };
 
-use crate::input::{Excerpt, InputError, Problem};
+use crate::input::{Excerpt, InputError, Problem, visible};
 use crate::model::Model;
 use crate::output::OutputError;
 use crate::output::study::StudyError;
@@ -110,10 +110,11 @@ impl Error {
             return rendered(error, marks).trim_end().to_string();
         }
         let Problem { message, help, .. } = self.problem();
-        match help {
+        let told = match help {
             Some(help) => format!("error: {message}\n  help: {help}"),
             None => format!("error: {message}"),
-        }
+        };
+        visible(&told).into_owned()
     }
 
     /// The error as one problem without its place; that of a file stands for all of them.
@@ -153,14 +154,15 @@ fn rendered(error: &InputError, marks: Marks) -> String {
             let (line, column) = excerpt.line_column;
             format!(":{line}:{column}")
         });
-        let mut diagnostic = MietteDiagnostic::new(format!("{}{place}: {}", error.source.name, problem.message));
-        diagnostic.help = problem.help.clone();
+        let message = format!("{}{place}: {}", error.source.name, problem.message);
+        let mut diagnostic = MietteDiagnostic::new(visible(&message));
+        diagnostic.help = problem.help.as_deref().map(|help| visible(help).into_owned());
         if let Some(excerpt) = &excerpt {
             diagnostic = diagnostic.with_label(LabeledSpan::underline(excerpt.place.clone()));
         }
         let report = miette::Report::new(diagnostic);
         let report = match excerpt {
-            Some(excerpt) => report.with_source_code(Shown { name: error.source.name.clone(), excerpt }),
+            Some(excerpt) => report.with_source_code(Shown { name: visible(&error.source.name).into(), excerpt }),
             None => report,
         };
         if !text.is_empty() {
@@ -175,7 +177,7 @@ fn rendered(error: &InputError, marks: Marks) -> String {
         } else {
             String::new()
         };
-        text.push_str(&format!("\n{} problems in {}{told}\n", error.found, error.source.name));
+        text.push_str(&format!("\n{} problems in {}{told}\n", error.found, visible(&error.source.name)));
     }
     text
 }

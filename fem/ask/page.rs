@@ -1,5 +1,6 @@
 //! A page: models, measurements and a diagnosis brought together.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -60,7 +61,16 @@ impl Page<'_> {
         let Some(model) = models.last() else {
             return Ok(Made { html: String::new(), notes: Vec::new(), files: Vec::new() });
         };
-        let files = named.iter().map(|path| (path.display().to_string(), hash(path))).collect();
+        let of_models = models.iter().map(|model| (&*model.source.name, model.source.sha256));
+        let of_data = measurements.iter().flat_map(|all| &all.files).map(|file| (&*file.name, file.sha256));
+        let read: HashMap<String, [u8; 32]> =
+            of_models.chain(of_data).filter_map(|(name, hash)| Some((name.to_string(), hash?))).collect();
+        let named_hash = |path: &PathBuf| {
+            let name = path.display().to_string();
+            let hash = read.get(&name).map_or_else(|| hash(path), |digest| hex(digest));
+            (name, hash)
+        };
+        let files = named.iter().map(named_hash).collect();
         let Some(measurements) = measurements else {
             model.require_part()?;
             let (found, band) = run(model, progress)?;
@@ -162,10 +172,16 @@ fn complete(
     Some((better, own))
 }
 
-/// SHA-256 of a file as `sha256sum` prints it.
+/// SHA-256 of a file of which the reader kept none, as of a mesh. What cannot be read again is not waited for.
 fn hash(path: &Path) -> String {
-    match std::fs::read(path) {
-        Ok(bytes) => Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect(),
+    match std::fs::metadata(path).and_then(|about| if about.is_file() { std::fs::read(path) } else { Ok(Vec::new()) }) {
+        Ok(bytes) if bytes.is_empty() => "unread: it has been read to its end".into(),
+        Ok(bytes) => hex(&Sha256::digest(&bytes)),
         Err(error) => format!("unread: {error}"),
     }
+}
+
+/// A digest as `sha256sum` prints it.
+fn hex(digest: &[u8]) -> String {
+    digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::args;
 use super::error::Error;
 use crate::ask::{self, Depth, Made, Page, read_all, refuse_mixed};
-use crate::input::InputError;
+use crate::input::{InputError, stem};
 use crate::measure::{Decimal, Measurements, Reading};
 use crate::model::Model;
 use crate::process::Process;
@@ -64,6 +64,5 @@ impl args::Report {
 
 /// Folder `out/NAME` for what is made of a file; `usual` where that has no name.
 pub fn default_directory(file: &Path, usual: &str) -> PathBuf {
-    let stem = file.file_stem().filter(|stem| !stem.to_string_lossy().bytes().all(|byte| byte == b'.'));
-    Path::new("out").join(stem.unwrap_or(usual.as_ref()))
+    Path::new("out").join(stem(file).unwrap_or(usual.as_ref()))
 }

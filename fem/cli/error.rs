@@ -1,5 +1,7 @@
 //! Errors of commands, and their report.
 
+use std::io::Write;
+
 use super::look;
 use super::say::say;
 use crate::ask;
@@ -26,7 +28,8 @@ impl Error {
     /// the writing failed.
     pub fn report(&self) -> u8 {
         match self {
-            Self::Asked(error) => say!("{}", error.text(look::marks())),
+            // Its colours are the program's own; what it quotes is visible already.
+            Self::Asked(error) => drop(writeln!(std::io::stderr(), "{}", error.text(look::marks()))),
             Self::Stdout(error) => say!("error: the output cannot be written: {error}"),
             Self::Found => {}
         }

@@ -4,7 +4,7 @@
 macro_rules! say {
     ($($what:tt)*) => {{
         use std::io::Write as _;
-        let _ = writeln!(std::io::stderr(), $($what)*);
+        let _ = writeln!(std::io::stderr(), "{}", crate::input::visible(&format!($($what)*)));
     }};
 }
 pub(super) use say;

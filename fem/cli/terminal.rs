@@ -5,12 +5,13 @@ use std::io::Write;
 use super::error::Error;
 use super::look;
 use super::say::say;
+use crate::input::visible;
 use crate::output::{Answer, json, text};
 
 /// Prints to stdout; a reader that has gone away (`fem … | head`) is no error.
 pub fn print(text: &str) -> Result<(), Error> {
     let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(visible(text).as_bytes()).and_then(|()| out.flush()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Error::Stdout(e)),
         _ => Ok(()),
     }

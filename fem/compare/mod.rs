@@ -3,6 +3,7 @@
 
 mod binning;
 mod features;
+mod judgement;
 mod rng;
 mod sentence;
 mod significance;
@@ -11,13 +12,14 @@ mod waves;
 
 pub use binning::Along;
 pub use features::{Feature, find as features};
+pub use judgement::Judges;
 pub use rng::Rng;
 pub use significance::SIGNIFICANCE;
 pub use trend::Trend;
 
 use nalgebra::DMatrix;
 
-use crate::measure::{MeasuredObservable, Measurements, Repeats};
+use crate::measure::{MeasuredObservable, Measurements, Repeats, Scatter};
 use crate::model::{Data, Model};
 use crate::noise::{Noise, NoiseSource, Term, beyond_chi2, beyond_f, suspects};
 use crate::process::Failure;
@@ -44,10 +46,13 @@ pub struct Comparison {
     pub worst: usize,
     /// The error of that row.
     pub worst_error: f64,
-    /// Reduced χ² against a known noise, or lack of fit over pure error (F) with repeats.
+    /// Reduced χ² against a known noise, or lack of fit over pure error (F) with repeats; no number where nothing scatters.
     pub reduced_chi2: f64,
     /// Probability that chance alone gives a larger χ² (p-value); `None` where the noise is only estimated.
     pub p_value: Option<f64>,
+    /// What these rows can tell of a model.
+    #[doc(hidden)]
+    pub judges: Judges,
     /// Structure of the residuals, the largest share first.
     #[doc(hidden)]
     pub features: Vec<Feature>,
@@ -60,18 +65,14 @@ pub struct Comparison {
     pub cautions: Vec<String>,
 }
 
-/// Fewest rows from which a noise that nothing else tells can be estimated: fewer are called neither adequate nor not.
-const FEWEST_ROWS: usize = 6;
-
 impl Comparison {
-    /// Whether the noise explains what the model leaves; `None` where the rows are too few to tell.
+    /// Whether the noise explains what the model leaves; `None` where the rows are too few, or too much alike, to tell.
     pub fn adequacy(&self) -> Option<bool> {
         let is_explained = self.p_value.is_none_or(|p| p >= SIGNIFICANCE) && self.features.is_empty();
-        let is_told = self.noise.source != NoiseSource::Estimated || self.residuals.len() >= FEWEST_ROWS;
-        is_told.then_some(is_explained && self.suspects.is_empty() && !self.is_rougher())
+        self.judges.verdict(is_explained && self.suspects.is_empty() && !self.is_rougher())
     }
 
-    /// Whether the noise surely explains it: where the rows are too few to tell it does not.
+    /// Whether the noise surely explains it: where the rows cannot tell it does not.
     pub fn adequate(&self) -> bool {
         self.adequacy() == Some(true)
     }
@@ -125,7 +126,8 @@ pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
     let evidence = data.evidence(&noise, data.repeats(), &residuals, &nothing);
     let errors = measurements.together(&residuals, &noise.sigma);
     let worst = (0..errors.len()).max_by(|a, b| errors[*a].abs().total_cmp(&errors[*b].abs())).unwrap_or(0);
-    let (reduced_chi2, p_value) = reduced_chi2(&residuals, &noise, &repeats, data.datum_directions.len());
+    let blind = data.datum_directions.len() as f64;
+    let (reduced_chi2, p_value) = reduced_chi2(measurements, (&residuals, &noise), &repeats, (blind, 0.0));
     let features = features::find(&*model.process, measurements, &residuals, &noise);
     let is_explained = p_value.is_none_or(|p| p >= SIGNIFICANCE) && features.is_empty();
     let suspects = if is_explained { suspects(&evidence) } else { Vec::new() };
@@ -137,6 +139,7 @@ pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
         worst,
         reduced_chi2,
         p_value,
+        judges: Judges::of(measurements, &residuals, &noise, &repeats),
         features,
         suspects,
         cautions: data.cautions.clone(),
@@ -156,14 +159,19 @@ fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {
     (sum / f64::from(count)).sqrt()
 }
 
-/// Reduced χ² and its p-value for a known noise; lack of fit over pure error, by the F distribution, for
-/// repeats. `blind` datum directions were taken out of the residuals.
-fn reduced_chi2(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usize) -> (f64, Option<f64>) {
-    let free = noise.free_directions();
-    let left = |count: usize| count.saturating_sub(blind + free).max(1) as f64;
-    let n = left(residuals.len());
+/// Reduced χ² of residuals (SI) and its p-value for a known noise; for repeats lack of fit over pure error, by the F
+/// distribution, which is no number where no conditions are left to lack anything; no p-value where the noise is only
+/// estimated, and no number where that is round-off. `taken` degrees of freedom were taken out of the residuals, and `known`
+/// is what prior knowledge adds to χ².
+pub fn reduced_chi2(
+    data: &Measurements,
+    (residuals, noise): (&[f64], &Noise),
+    repeats: &Repeats,
+    (taken, known): (f64, f64),
+) -> (f64, Option<f64>) {
     let z = noise.whiten(residuals.iter().copied());
-    let chi2: f64 = z.iter().map(|z| z * z).sum();
+    let chi2 = known + z.iter().map(|z| z * z).sum::<f64>();
+    let n = (residuals.len() as f64 - taken - noise.free_directions() as f64).max(1.0);
     match noise.source {
         NoiseSource::Column | NoiseSource::Covariance => (chi2 / n, beyond_chi2(n, chi2)),
         NoiseSource::Repeats => {
@@ -172,12 +180,23 @@ fn reduced_chi2(residuals: &[f64], noise: &Noise, repeats: &Repeats, blind: usiz
                 sum[g] += z;
                 count[g] += 1.0;
             }
-            let lack: f64 = sum.iter().zip(&count).map(|(s, n)| s * s / n).sum();
-            let groups =
-                (repeats.groups as f64 - blind as f64 - noise.free_between(&repeats.groups_of_rows())).max(1.0);
-            let f = lack / groups;
-            (f, beyond_f(groups, repeats.effective_freedom(), f))
+            let lack = known + sum.iter().zip(&count).map(|(s, n)| s * s / n).sum::<f64>();
+            let freedom = repeats.groups as f64 - taken - noise.free_between(&repeats.groups_of_rows());
+            if freedom < 1.0 {
+                return (f64::NAN, None);
+            }
+            let f = lack / freedom / pure_error(data, noise, repeats);
+            (f, beyond_f(freedom, repeats.effective_freedom(), f))
         }
+        NoiseSource::Estimated if noise.is_round_off(data) => (f64::NAN, None),
         NoiseSource::Estimated => (chi2 / n, None),
     }
+}
+
+/// Mean square by which rows differ from those that they repeat, in units of the noise, whose level may be another beside
+/// effects of the measurement.
+fn pure_error(data: &Measurements, noise: &Noise, repeats: &Repeats) -> f64 {
+    let level = |number: usize| noise.usual(data, data.observables[number].position);
+    let of_own = |(i, scatter): (usize, &Scatter)| scatter.sum_of_squares / level(i).powi(2);
+    repeats.scatter.iter().enumerate().map(of_own).sum::<f64>() / repeats.freedom() as f64
 }

@@ -25,6 +25,7 @@ use super::search::SearchResult;
 use super::sensitivity::CandidateEffect;
 use super::verdict::{self, GoodnessOfFit, Verdict};
 use super::{doubtful, findings, laplace, look_alike, next};
+use crate::compare::Judges;
 use crate::fit::{self, Estimate, Fit, StoppingCriterion, minimise};
 use crate::input::ParameterId;
 use crate::measure::Repeats;
@@ -67,18 +68,20 @@ pub fn conclude(
     let (before, mut after) = (goodness(&found.base), goodness(&best));
     let features = verdict::features(&found.base);
     let mut remaining = if best.members.is_empty() { features.clone() } else { verdict::features(&best) };
-    let mut verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining));
-    if is_imitation && verdict != Verdict::Adequate {
+    let base = &found.base.objective;
+    let judges = Judges::of(base.data, &found.base.residuals(), &base.noise, repeats);
+    let mut verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining), judges);
+    if is_imitation && !matches!(verdict, Verdict::Adequate | Verdict::NotJudged) {
         verdict = Verdict::Unexplained;
     }
-    if verdict == Verdict::Unexplained {
+    if !explains(verdict) {
         best = found.base.clone();
         settled = fit::profile_intervals(&mut best.objective, best.solution.clone())?;
         after = before.clone();
         remaining = features.clone();
     }
     let mut fit = fit::report(&best.objective, settled, repeats);
-    if verdict != Verdict::Unexplained {
+    if explains(verdict) {
         fit.known.instead = alternatives(&found, &best);
     }
     let progress = &found.base.objective.data.progress;
@@ -88,8 +91,10 @@ pub fn conclude(
     };
     confoundings.iter_mut().for_each(|own| own.leave_out_what_is_ruled_out(&found, &posterior));
     let mut missing = missing(&found, &best, &fit, variance, &confoundings, (&goodness, &posterior));
-    let of_measurement =
-        findings::missing_effects(&found.base, &best, plain.map(|h| &h.found.base), repeats, &posterior);
+    let of_measurement = match judges {
+        Judges::Nothing => Vec::new(),
+        _ => findings::missing_effects(&found.base, &best, plain.map(|h| &h.found.base), repeats, &posterior),
+    };
     let outliers = findings::outliers(&best);
     let (before, features) = match plain {
         None => (before, features),
@@ -117,9 +122,14 @@ pub fn conclude(
     let mut suspects = Vec::new();
     if matches!(verdict, Verdict::Adequate | Verdict::MissingEffect) {
         let written = verdict::as_written(&best);
-        if written.adequacy() == Some(false) {
-            verdict = if missing.is_empty() { Verdict::Unexplained } else { Verdict::PartlyExplained };
-            (remaining, suspects) = (written.features, written.suspects);
+        match written.adequacy() {
+            Some(true) => {}
+            Some(false) => {
+                verdict = if missing.is_empty() { Verdict::Unexplained } else { Verdict::PartlyExplained };
+                (remaining, suspects) = (written.features, written.suspects);
+            }
+            None if missing.is_empty() => verdict = Verdict::NotJudged,
+            None => {}
         }
     }
     let doubt = match verdict {
@@ -154,17 +164,17 @@ pub fn conclude(
     {
         named.bend = Some(bend);
     }
-    let is_unexplained = verdict == Verdict::Unexplained;
     // Of sets none of which explains the data nothing is believed, and nothing is asked.
-    let posterior = if is_unexplained { Posterior::default() } else { posterior };
-    let next = match !is_unexplained && progress.permits("what to measure next") {
+    let is_silent = !explains(verdict);
+    let posterior = if is_silent { Posterior::default() } else { posterior };
+    let next = match !is_silent && progress.permits("what to measure next") {
         true => {
             progress.stretch("what to measure next", || next::next(&found, &confoundings, &look_alikes, &posterior))
         }
         false => None,
     };
     let own = laplace::criterion_of_values(&best);
-    let criterion = if is_unexplained { own } else { bent_law::criterion_of_values(&found, &bent).min(own) };
+    let criterion = if is_silent { own } else { bent_law::criterion_of_values(&found, &bent).min(own) };
     let trials = (best.objective.trials.failures(), best.objective.trials.evaluations());
     let candidates = outlooks(&found, &best, variance, &posterior);
     let verdict_after = match verdict {
@@ -192,6 +202,11 @@ pub fn conclude(
         cross_validation_by: folds.map(|f| f.coordinate),
         trials,
     })
+}
+
+/// Whether what was found explains anything.
+fn explains(verdict: Verdict) -> bool {
+    !matches!(verdict, Verdict::Unexplained | Verdict::NotJudged)
 }
 
 /// Whether the rows are one series, which a few laws imitate whatever made it, and those that were found predict stretches

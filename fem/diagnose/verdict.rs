@@ -2,7 +2,7 @@
 
 use super::candidate_model::CandidateModel;
 use super::cross_validation::Folds;
-use crate::compare::{self, Comparison, Feature, SIGNIFICANCE, features as find_features};
+use crate::compare::{self, Comparison, Feature, Judges, SIGNIFICANCE, features as find_features};
 use crate::fit::reduced_chi2;
 use crate::measure::Repeats;
 use crate::noise::NoiseSource;
@@ -42,6 +42,8 @@ pub enum Verdict {
     PartlyExplained,
     /// Structure remains that no effect of the catalogue explains.
     Unexplained,
+    /// The rows are too few, or too much alike, to tell.
+    NotJudged,
 }
 
 impl Verdict {
@@ -52,6 +54,7 @@ impl Verdict {
             Self::MissingEffect => "missing-effect",
             Self::PartlyExplained => "partly-explained",
             Self::Unexplained => "unexplained",
+            Self::NotJudged => "not-judged",
         }
     }
 }
@@ -105,13 +108,17 @@ pub fn features(trial: &CandidateModel) -> Vec<Feature> {
     find_features(&*objective.data.model.process, objective.data, &trial.residuals(), &objective.noise)
 }
 
-/// Verdict on the model before and with the best set.
+/// Verdict on the model before and with the best set, of rows that can tell one.
 pub fn verdict(
     base: &CandidateModel,
     best: &CandidateModel,
     before: (&GoodnessOfFit, &[Feature]),
     after: (&GoodnessOfFit, &[Feature]),
+    judges: Judges,
 ) -> Verdict {
+    if judges == Judges::Nothing {
+        return Verdict::NotJudged;
+    }
     match (best.members.is_empty(), is_noise(after.0, after.1)) {
         (true, true) => Verdict::Adequate,
         (true, false) => Verdict::Unexplained,

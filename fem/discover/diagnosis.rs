@@ -44,7 +44,8 @@ pub fn diagnose_with(
 
 fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
     let mut of_catalogue = diagnose::diagnose(data, most, progress)?;
-    if data.model.campaign().is_some() || of_catalogue.verdict == Verdict::Adequate || !progress.permits(LAWS) {
+    let is_over = matches!(of_catalogue.verdict, Verdict::Adequate | Verdict::NotJudged);
+    if data.model.campaign().is_some() || is_over || !progress.permits(LAWS) {
         return Ok(of_catalogue);
     }
     let (mut best, mut held_back): (Option<Told>, Option<HeldBack>) = (None, None);
@@ -309,7 +310,7 @@ impl Told {
         };
         // A law describes: what it makes good is not explained.
         diagnosis.verdict = match diagnosis.verdict {
-            Verdict::Adequate | Verdict::Unexplained => Verdict::Unexplained,
+            Verdict::Adequate | Verdict::Unexplained | Verdict::NotJudged => Verdict::Unexplained,
             Verdict::MissingEffect | Verdict::PartlyExplained => Verdict::PartlyExplained,
         };
         diagnosis.features = without.features;

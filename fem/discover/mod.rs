@@ -26,6 +26,7 @@ pub use left_out::LeftOut;
 pub use levels::TooFew;
 pub use wandering::Wandering;
 
+use crate::compare::Judges;
 use crate::diagnose::{ProjectedResidual, SIGNIFICANCE, thinned_to, under_noise, under_stated_noise, unsolvable};
 use crate::fit::Objective;
 use crate::model::Data;
@@ -72,6 +73,8 @@ const MOST_ROWS: usize = 500;
 pub struct Discovery<L = Law> {
     /// χ² over the degrees of freedom before.
     pub before: f64,
+    /// What these rows can tell of a model.
+    pub judges: Judges,
     /// Whether nothing is left that a law could explain.
     pub is_nothing_left: bool,
     /// The laws, the best first: it, and its rivals.
@@ -99,6 +102,15 @@ pub struct Discovery<L = Law> {
 }
 
 impl<L> Discovery<L> {
+    /// Whether the rows tell what becomes of the model: a law, or that there is none and none is asked for.
+    pub fn is_judged(&self) -> bool {
+        match self.judges {
+            Judges::Nothing => false,
+            Judges::Wrong => self.told().is_some(),
+            Judges::Both => true,
+        }
+    }
+
     /// The best law, where it is not held back.
     pub fn told(&self) -> Option<&L> {
         let foresees = self.left_out.is_none_or(|own| own.after < own.before);
@@ -125,6 +137,7 @@ pub fn discover(data: &Data, candidates: &[Candidate], progress: &Progress) -> R
     Ok(Discovery {
         laws,
         before: found.before,
+        judges: found.judges,
         is_nothing_left: found.is_nothing_left,
         tried: found.tried,
         instead: found.instead,
@@ -172,6 +185,7 @@ fn rank(
     let (chi2, freedom) = (projected.residual.norm_squared(), projected.freedom);
     let mut discovery = Discovery {
         before: chi2 / freedom,
+        judges: Judges::of(data, &data.residuals(&solution.predicted), &objective.noise, data.repeats()),
         is_nothing_left: beyond_chi2(freedom, chi2).is_some_and(|p| p >= SIGNIFICANCE),
         laws: Vec::new(),
         tried: Vec::new(),
@@ -186,7 +200,10 @@ fn rank(
         ranges: Vec::new(),
     };
     let noise = &objective.noise;
-    if discovery.is_nothing_left || explained.is_some() && !noise.source.is_known() {
+    if discovery.judges == Judges::Nothing
+        || discovery.is_nothing_left
+        || explained.is_some() && !noise.source.is_known()
+    {
         return Ok(discovery);
     }
     let most = explained.map_or(f64::INFINITY, |own| own.criterion - noise.log_determinant() + CLEARLY);

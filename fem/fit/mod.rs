@@ -31,10 +31,10 @@ pub use steps::MOST_STARTS;
 
 use nalgebra::DMatrix;
 
-use crate::compare::{SIGNIFICANCE, rms};
+use crate::compare::{self, SIGNIFICANCE, rms};
 use crate::measure::Repeats;
 use crate::model::{Data, Model};
-use crate::noise::{Noise, NoiseSource, Restricted, beyond_chi2, beyond_f};
+use crate::noise::{Noise, NoiseSource, Restricted};
 use crate::process::Failure;
 
 /// Correlation beyond which two parameters can hardly be told apart.
@@ -167,31 +167,11 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
     }
 }
 
-/// Reduced χ² and its p-value for a known noise; lack of fit over pure error, by the F distribution, with
-/// repeats, which is no number where as many parameters as conditions leave none; no p-value where the noise is only
-/// estimated.
+/// Reduced χ² and its p-value, as a comparison has them, beside what the fit takes and knows.
 pub fn reduced_chi2(objective: &Objective, solution: &Solution, repeats: &Repeats) -> (f64, Option<f64>) {
-    let freedom = objective.freedom();
-    match objective.noise.source {
-        NoiseSource::Column | NoiseSource::Covariance => (solution.chi2 / freedom, beyond_chi2(freedom, solution.chi2)),
-        NoiseSource::Repeats => {
-            // In units of its own variance the pure error is its degrees of freedom; the level of the noise may
-            // be another beside effects of the measurement.
-            let (own, pure) = (repeats.freedom() as f64, pure_error(objective, repeats));
-            let freedom = freedom - own;
-            if freedom < 1.0 {
-                return (f64::NAN, None);
-            }
-            let f = (solution.chi2 - pure).max(0.0) / freedom * own / pure;
-            (f, beyond_f(freedom, repeats.effective_freedom(), f))
-        }
-        NoiseSource::Estimated => (solution.chi2 / freedom, None),
-    }
-}
-
-/// Sum of squares by which rows differ from those that they repeat, in units of the noise.
-fn pure_error(objective: &Objective, repeats: &Repeats) -> f64 {
-    let data = objective.data;
-    let level = |number: usize| objective.noise.usual(data, data.observables[number].position);
-    repeats.scatter.iter().enumerate().map(|(i, scatter)| scatter.sum_of_squares / level(i).powi(2)).sum()
+    let (data, noise) = (objective.data, &objective.noise);
+    let residuals = data.residuals(&solution.predicted);
+    let of_rows: f64 = noise.whiten(residuals.iter().copied()).iter().map(|z| z * z).sum();
+    let taken = data.len() as f64 - objective.freedom() - noise.free_directions() as f64;
+    compare::reduced_chi2(data, (&residuals, noise), repeats, (taken, (solution.chi2 - of_rows).max(0.0)))
 }

@@ -8,6 +8,7 @@ use std::time::SystemTime;
 
 use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
 use encoding_rs::{BIG5, EUC_JP, Encoding, GBK, SHIFT_JIS, WINDOWS_1250, WINDOWS_1251, WINDOWS_1252};
+use sha2::{Digest, Sha256};
 
 use super::{InputError, Problem, Source};
 
@@ -57,10 +58,13 @@ impl Source {
         other: impl FnOnce(FromUtf8Error) -> Result<String, Problem>,
     ) -> Result<Self, InputError> {
         let name: Arc<str> = path.display().to_string().into();
-        let text = read(path, limit)
-            .and_then(|bytes| binary(&bytes).unwrap_or_else(|| String::from_utf8(bytes).or_else(other)));
+        let text = read(path, limit).and_then(|bytes| {
+            let sha256: [u8; 32] = Sha256::digest(&bytes).into();
+            let text = binary(&bytes).unwrap_or_else(|| String::from_utf8(bytes).or_else(other));
+            text.map(|text| (text, sha256))
+        });
         match text {
-            Ok(text) => Ok(Self::new(name, text)),
+            Ok((text, sha256)) => Ok(Self { sha256: Some(sha256), ..Self::new(name, text) }),
             Err(problem) => Err(InputError::one(Self::new(name, ""), problem)),
         }
     }

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use super::Source;
+use super::visible::visible_in_place;
 
 /// Most characters of a line that are shown.
 const LONGEST: usize = 200;
@@ -51,7 +52,7 @@ impl Excerpt {
             excerpt.text.push_str(&shortened(behind, LONGEST));
         }
         // A carriage return before a line feed would count as a line of its own where lines are numbered.
-        excerpt.text = excerpt.text.replace('\r', " ");
+        excerpt.text = visible_in_place(&excerpt.text.replace('\r', " "));
         excerpt
     }
 }

@@ -20,6 +20,7 @@ mod record;
 mod several;
 mod source;
 mod tables;
+mod visible;
 mod written;
 
 pub use bounds::Bounds;
@@ -37,5 +38,6 @@ pub use problem::{InputError, Problem, did_you_mean, nearest};
 pub use raw::{Raw, texts};
 pub use reader::{FileKey, Found, Instead, Names, Reader, Shape, is_one_of, numbered};
 pub use record::{Along, Record, Varying};
-pub use source::Source;
+pub use source::{Source, stem};
 pub use tables::read_tables;
+pub use visible::visible;

@@ -1,5 +1,6 @@
 //! The text of a file and its name.
 
+use std::ffi::OsStr;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -10,12 +11,19 @@ pub struct Source {
     pub name: Arc<str>,
     /// The whole text.
     pub text: Arc<str>,
+    /// SHA-256 of the bytes of the file, as they were read: a pipe cannot be read again. `None` of what did not come from a file.
+    pub sha256: Option<[u8; 32]>,
+}
+
+/// Name of a file without its ending, which a folder may have too; `None` where nothing but dots is left.
+pub fn stem(file: &Path) -> Option<&OsStr> {
+    file.file_stem().filter(|stem| !stem.to_string_lossy().bytes().all(|byte| byte == b'.'))
 }
 
 impl Source {
     /// A text that did not come from a file.
     pub fn new(name: impl Into<Arc<str>>, text: impl Into<Arc<str>>) -> Self {
-        Self { name: name.into(), text: text.into() }
+        Self { name: name.into(), text: text.into(), sha256: None }
     }
 
     /// The folder of the file, from the working directory: what paths in it are relative to.

@@ -12,6 +12,10 @@ use crate::process::{Failure, Rows, Standing};
 /// Rows that draws of the values may cost together, and the fewest and the most draws.
 const MOST_DRAWN: usize = 2_000_000;
 const DRAWS: (usize, usize) = (100, 400);
+/// Times that as many are drawn, where few of them make a model.
+const ROUNDS: usize = 8;
+/// Parts of a standard deviation that are tried, where one leads to no model.
+const SHARES: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 /// Part of the draws below and above an interval that holds 95 % of them.
 const BEYOND: f64 = 0.025;
 /// Seed of what stays unexplained: that of the values is another.
@@ -63,22 +67,24 @@ impl Band {
     /// away to both sides in each direction in which the values are independent: a few predictions, however dear they are.
     ///
     /// # Errors
-    /// Values one standard deviation away to either side make no model.
+    /// Values a sixteenth of a standard deviation away to either side make no model.
     pub fn about(model: &Model, rows: &Rows, best: &[f64]) -> Result<Self, Failure> {
         let (knowledge, nothing) = (Knowledge::of(model), Arc::default());
         let made = |model: &Model, values: &[f64]| model.commanded_at(values, &nothing)?.observe(rows);
-        let predict = |values: &[f64]| made(model, values);
         let others = others(model, &made);
-        let both: Vec<(usize, [Vec<f64>; 2])> = knowledge.both_ways().collect();
         let mirrored = |own: &[f64]| own.iter().zip(best).map(|(own, best)| 2.0 * best - own).collect::<Vec<f64>>();
-        let predicted = |(own, [up, down]): (usize, [Vec<f64>; 2])| match (predict(&up), predict(&down)) {
-            (Ok(up), Ok(down)) => Ok((own, [up, down])),
+        let at = |way: usize, share: f64| match knowledge.both_ways(way, share).map(|values| made(model, &values)) {
+            [Ok(up), Ok(down)] => Some([up, down]),
             // Beyond what a model may hold it goes on as it comes from the other side.
-            (Ok(up), Err(_)) => Ok((own, [up.clone(), mirrored(&up)])),
-            (Err(_), Ok(down)) => Ok((own, [mirrored(&down), down])),
-            (Err(_), Err(_)) => Err(vague()),
+            [Ok(up), Err(_)] => Some([up.clone(), mirrored(&up)]),
+            [Err(_), Ok(down)] => Some([mirrored(&down), down]),
+            [Err(_), Err(_)] => None,
         };
-        let ways: Vec<(usize, [Vec<f64>; 2])> = both.into_par_iter().map(predicted).collect::<Result<_, Failure>>()?;
+        // Where both sides are beyond it, nothing lies farther away than the farthest that makes a model.
+        let predicted = |way: usize| Some((way, SHARES.into_iter().find_map(|share| at(way, share))?));
+        let ways: Vec<usize> = knowledge.ways().collect();
+        let ways: Option<Vec<(usize, [Vec<f64>; 2])>> = ways.into_par_iter().map(predicted).collect();
+        let ways = ways.ok_or_else(vague)?;
         let told = model.system.resolved(rows);
         Self::gathered((model, &knowledge), (&told, best), &others, |number| {
             let at = knowledge.independent(number);
@@ -106,7 +112,7 @@ impl Band {
         };
         let parts = parts(model, rows);
         // The first is what is known best.
-        let further = (1..draws).into_par_iter().filter_map(|number| {
+        let made = |number: usize| {
             let mut own = if knowledge.uncertain() == 0 { best.to_vec() } else { draw(number)? };
             // What another set predicts is as uncertain as what this one does.
             if let Some(other) = picked(others, number) {
@@ -114,8 +120,16 @@ impl Band {
             }
             shift(&mut own, &parts, knowledge.unexplained, number);
             Some(own)
-        });
-        let further: Vec<Vec<f64>> = further.collect();
+        };
+        let mut further: Vec<Vec<f64>> = (1..draws).into_par_iter().filter_map(made).collect();
+        // Where what is written reaches far beyond what makes a model, others are drawn in the place of those that do not.
+        for round in 1..ROUNDS {
+            if 2 * further.len() + 1 >= draws {
+                break;
+            }
+            let next: Vec<Vec<f64>> = (round * draws..(round + 1) * draws).into_par_iter().filter_map(made).collect();
+            further.extend(next);
+        }
         if 2 * further.len() + 1 < draws {
             return Err(vague());
         }

@@ -96,11 +96,13 @@ impl Knowledge {
         DVector::from_iterator(self.values.len(), all)
     }
 
-    /// Each of these directions by its number, with the values one standard deviation away to both sides; not those in which they
-    /// are known.
-    pub fn both_ways(&self) -> impl Iterator<Item = (usize, [Vec<f64>; 2])> {
-        let way = |own: usize, by: f64| self.away((by * self.root.column(own)).iter());
-        let all = (0..self.values.len()).map(move |own| (own, [way(own, 1.0), way(own, -1.0)]));
-        all.filter(|(_, [up, _])| *up != self.values)
+    /// Each of these directions by its number; not those in which the values are known.
+    pub fn ways(&self) -> impl Iterator<Item = usize> {
+        (0..self.values.len()).filter(|way| self.both_ways(*way, 1.0)[0] != self.values)
+    }
+
+    /// The values so many standard deviations away in a direction, to both sides.
+    pub fn both_ways(&self, way: usize, by: f64) -> [Vec<f64>; 2] {
+        [by, -by].map(|by| self.away((by * self.root.column(way)).iter()))
     }
 }

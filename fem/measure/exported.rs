@@ -49,7 +49,7 @@ pub fn open(path: &Path, said: &Reading) -> Result<Exported, InputError> {
     };
     let (source, encoding) = Source::read_exported(path, LARGEST_FILE, binary, lexicon::count)?;
     told.extend(encoding.map(|name| format!("text in {name}")));
-    let exported = of_text(source);
+    let exported = of_text(source)?;
     told.extend(exported.told);
     let parted = if is_workbook { Parted::Workbook } else { exported.parted };
     Ok(Exported { told, parted, sheets, ..exported })
@@ -57,11 +57,18 @@ pub fn open(path: &Path, said: &Reading) -> Result<Exported, InputError> {
 
 /// Makes plain text of a text: line ends of old machines become those of today's, and columns that blanks part are parted
 /// by tabs. Lines stay lines.
-pub fn of_text(source: Source) -> Exported {
-    let Source { name, mut text } = source;
+///
+/// # Errors
+/// A line is longer than that of any table.
+pub fn of_text(source: Source) -> Result<Exported, InputError> {
+    let Source { name, mut text, sha256 } = source;
     let mut told = Vec::new();
     if has_lone_returns(&text) {
         text = with_line_ends(&text).into();
+    }
+    // Cells take many times the memory of their text: what is no table is not parted.
+    if let Some(problem) = layout::too_wide(&text) {
+        return Err(InputError::one(Source { name, text, sha256 }, problem));
     }
     let parted = if instrument::find(&text).is_none() { layout::of_blanks(&text) } else { None };
     let by = if parted.is_some() { Parted::Blanks } else { Parted::File };
@@ -69,7 +76,7 @@ pub fn of_text(source: Source) -> Exported {
         told.push("columns parted by blanks".into());
         text = parted.into();
     }
-    Exported { source: Source { name, text }, told, parted: by, sheets: Vec::new() }
+    Ok(Exported { source: Source { name, text, sha256 }, told, parted: by, sheets: Vec::new() })
 }
 
 /// Whether a carriage return stands without a line feed behind it.

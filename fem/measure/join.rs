@@ -24,6 +24,8 @@ pub struct MeasuredFile {
     pub name: String,
     /// Number, from 0, of its first record.
     pub first_record: usize,
+    /// SHA-256 of its bytes, as they were read.
+    pub sha256: Option<[u8; 32]>,
 }
 
 /// Name of a coordinate by which rows are grouped.
@@ -105,7 +107,7 @@ impl Measurements {
         for file in files {
             all.append(file);
         }
-        Ok(all)
+        Ok(if all.is_planned() { all } else { all.without_copies_of_files() })
     }
 
     /// Adds the rows of a file that can stand with these.

@@ -7,9 +7,19 @@ use std::ops::Range;
 
 use super::moment::Moment;
 use super::words;
+use crate::input::Problem;
 
 /// Separators of columns, in the order in which they are tried: a decimal comma may stand beside the first two.
 pub const SEPARATORS: [char; 3] = [';', '\t', ','];
+
+/// Most columns of a file: more are lines that were joined.
+pub const MOST_COLUMNS: usize = 1000;
+
+/// Most bytes of a line: ten thousand for each column.
+const LONGEST_LINE: usize = 10_000_000;
+
+/// Most separators of one kind in a line, before anything is known of it: marks of decimals may stand beside them.
+const MOST_SEPARATORS: usize = 2 * MOST_COLUMNS;
 
 /// Lines by which a text is judged, beyond what stands before the table.
 const JUDGED: usize = 200;
@@ -48,6 +58,31 @@ pub struct Layout {
     pub columns: usize,
     /// Number of lines above the headings that are none of the table's.
     pub above: usize,
+}
+
+/// The problem of a line that is longer than that of any table, or has more cells.
+pub fn too_wide(text: &str) -> Option<Problem> {
+    let help = "has the file lost its line ends? leave out columns that are not needed";
+    let mut start = 0;
+    for (number, line) in (1..).zip(text.split_inclusive('\n')) {
+        let count = |separator: u8| line.bytes().filter(|byte| *byte == separator).count();
+        let most = || SEPARATORS.iter().map(|separator| count(*separator as u8)).max().unwrap_or(0);
+        let message = match line.len() {
+            bytes if bytes > LONGEST_LINE => {
+                Some(format!("line {number} has {bytes} bytes; at most {LONGEST_LINE} are read"))
+            }
+            // A short line has few.
+            bytes if bytes > MOST_SEPARATORS && most() > MOST_SEPARATORS => {
+                Some(format!("line {number} has {} columns; at most {MOST_COLUMNS} are read", most() + 1))
+            }
+            _ => None,
+        };
+        if let Some(message) = message {
+            return Some(Problem::new(message).help(help).at(Some(start..start + 1)));
+        }
+        start += line.len();
+    }
+    None
 }
 
 /// Finds the table in a text. The separator is tried out unless a file `said` it, and so is the line of the headings:

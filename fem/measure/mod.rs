@@ -3,9 +3,11 @@
 mod actual;
 mod alike;
 mod clock;
+mod copies;
 mod decimal;
 mod exported;
 mod footer;
+mod grid;
 mod header;
 mod header_rows;
 mod heading;
@@ -35,13 +37,14 @@ mod workbook;
 
 pub use decimal::Decimal;
 pub use exported::{Exported, open};
+pub use grid::step_of;
 pub use join::{FILE, FILE_WORD, MeasuredFile, grouping_name};
 pub use neighbours::of_neighbours;
 pub use ordinals::Ordinals;
 pub use preview::{Imported, Preview};
 pub use reading::Reading;
 pub use records::{RecordReader, Records};
-pub use repeats::{LEAST_FREEDOM, Repeats, Scatter, repeats};
+pub use repeats::{LEAST_FREEDOM, LEAST_NEIGHBOURS, Repeats, Scatter, repeats};
 pub use vocabulary::{MeasuredObservable, is_column};
 
 use std::borrow::Cow;
@@ -125,7 +128,7 @@ impl Measurements {
     pub fn planned(process: &dyn Process, name: &str, rows: Rows) -> Self {
         Self {
             name: name.into(),
-            files: vec![MeasuredFile { name: name.into(), first_record: 0 }],
+            files: vec![MeasuredFile { name: name.into(), first_record: 0, sha256: None }],
             observed: vec![0.0; rows.len()],
             uncertainty: None,
             records_of: (0..rows.len()).collect(),
@@ -170,6 +173,13 @@ impl Measurements {
             said: self.said.clone(),
             notes: self.notes.clone(),
         }
+    }
+
+    /// The same rows but for those that `keep` does not accept; the text stays whole.
+    #[must_use]
+    fn keeping(mut self, keep: impl Fn(usize) -> bool) -> Self {
+        let records = std::mem::take(&mut self.records);
+        Self { records, ..self.some(keep) }
     }
 
     /// The same without the text in which they stand, for those who will not write it again: of long files it is half of
@@ -221,13 +231,10 @@ impl Measurements {
         by.iter().fold(vec![0; self.len()], |levels, i| parted(levels, |row| self.level(*i, row)))
     }
 
-    /// The same, each observable of each file by itself.
+    /// The same, each observable by itself. A file is no place: what its rows repeat of another's they repeat, whichever way
+    /// the rows were put into files, and a zero of its own is sought among the effects of the measurement.
     fn levels_of_observables(&self, by: &[usize]) -> Vec<usize> {
-        let of_files = match self.files.len() {
-            0 | 1 => self.levels(by),
-            _ => parted(self.levels(by), |row| self.file_number(row) as u64),
-        };
-        parted(of_files, |row| self.rows.observable[row] as u64)
+        parted(self.levels(by), |row| self.rows.observable[row] as u64)
     }
 
     /// Value of a coordinate, or number of the file, as a key.

@@ -55,7 +55,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn parse_design(source: Source, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(&exported::of_text(source), process, Purpose::Design, said)
+        read(&exported::of_text(source)?, process, Purpose::Design, said)
     }
 
     /// Reads measurements from the text of a file.
@@ -71,7 +71,7 @@ impl Measurements {
     /// # Errors
     /// The file is wrong; the error lists every problem with its line.
     pub fn parse_as(source: Source, process: &dyn Process, said: &Reading) -> Result<Self, InputError> {
-        read(&exported::of_text(source), process, Purpose::Measured, said)
+        read(&exported::of_text(source)?, process, Purpose::Measured, said)
     }
 }
 
@@ -114,12 +114,15 @@ fn read(file: &Exported, process: &dyn Process, purpose: Purpose, said: &Reading
     let mut measurements = builder.measurements;
     measurements.name = source.name.to_string();
     measurements.records = file.records;
-    measurements.files = vec![MeasuredFile { name: source.name.to_string(), first_record: 0 }];
+    measurements.files = vec![MeasuredFile { name: source.name.to_string(), first_record: 0, sha256: source.sha256 }];
     (measurements.headings, measurements.said) = (file.headings, said.options());
     measurements.notes = file.notes.into_iter().chain(left_out).chain(measurements.notes).chain(unused).collect();
     measurements.leave_echoes_out();
     if !said.as_typed && purpose == Purpose::Measured {
         measurements = measurements.without_slips(vocabulary, &header.columns, file.difference);
+    }
+    if purpose == Purpose::Measured {
+        measurements = measurements.without_own_copies();
     }
     if measurements.len() > MANY {
         let rows = measurements.len();

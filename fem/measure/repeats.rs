@@ -13,6 +13,9 @@ use crate::units::TIME;
 /// Fewest degrees of freedom from which a variance is estimated.
 pub const LEAST_FREEDOM: usize = 5;
 
+/// Fewest rows whose neighbours tell a variance.
+pub const LEAST_NEIGHBOURS: usize = NEIGHBOURS * LEAST_FREEDOM;
+
 /// Groups of replicates and their scatter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repeats {

@@ -7,15 +7,12 @@ use csv::StringRecord;
 
 use super::alike::Alike;
 use super::heading;
-use super::layout::{self, SEPARATORS};
+use super::layout::{self, MOST_COLUMNS, SEPARATORS};
 use super::records::{LARGEST_TEXT, Records, csv_builder};
 use crate::input::{Problem, Source, line_at, no_csv};
 
 /// Rows of other lengths after which nothing more is read.
 const MOST_RAGGED: usize = 10_000;
-
-/// Most columns of a file: more are lines that were joined.
-const MOST_COLUMNS: usize = 1000;
 
 /// Who parted the columns of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

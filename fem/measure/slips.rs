@@ -86,9 +86,7 @@ impl Measurements {
                  ({what}); mend it in the file, or take it as it is with --as-typed"
             ));
         }
-        let records = std::mem::take(&mut self.records);
-        let rest = self.some(|row| all.iter().all(|(slip, _)| slip.row != row));
-        Self { records, ..rest }
+        self.keeping(|row| all.iter().all(|(slip, _)| slip.row != row))
     }
 }
 

@@ -53,7 +53,7 @@ use toml_edit::Table;
 
 use crate::input::{
     FileKey, Found, InputError, Instead, Kept, Name, Names, Parameter, ParameterId, Problem, Reader, Source,
-    did_you_mean, nearest, numbered,
+    did_you_mean, nearest, numbered, stem,
 };
 use crate::measure::Reading;
 use crate::noise::{self, MEASUREMENT, Term};
@@ -253,7 +253,7 @@ impl Model {
 
     /// Name of the model's file without its folder and ending.
     pub fn stem(&self) -> &OsStr {
-        Path::new(&*self.source.name).file_stem().unwrap_or_default()
+        stem(Path::new(&*self.source.name)).unwrap_or("model".as_ref())
     }
 
     /// File of the model and those that it names.

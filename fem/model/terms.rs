@@ -5,8 +5,8 @@ use std::path::Path;
 
 use super::Model;
 use crate::input::Problem;
-use crate::measure::Measurements;
-use crate::noise::{Acts, FROM, MEASUREMENT, Size, Term, caution, step_of};
+use crate::measure::{Measurements, step_of};
+use crate::noise::{Acts, FROM, MEASUREMENT, Size, Term, caution};
 
 impl Model {
     /// Whether the size of an effect of the measurement is left to be estimated from every file.

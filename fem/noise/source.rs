@@ -1,7 +1,7 @@
 //! The noise of a file from the best source that it has: a column, repeats, neighbours.
 
-use super::{Noise, NoiseSource, step_of};
-use crate::measure::{LEAST_FREEDOM, Measurements, Repeats, Scatter, of_neighbours};
+use super::{Noise, NoiseSource};
+use crate::measure::{LEAST_FREEDOM, MeasuredObservable, Measurements, Repeats, Scatter, of_neighbours, step_of};
 use crate::process::Values;
 
 impl Noise {
@@ -26,7 +26,20 @@ impl Noise {
         let sigma: Vec<f64> = all.into_iter().zip(&least).map(of_rows).collect();
         Self::alike(measurements, &sigma, NoiseSource::Estimated)
     }
+
+    /// Whether it is no more than the round-off of the values: neighbouring rows do not scatter, and no residual can be
+    /// held against that.
+    pub fn is_round_off(&self, measurements: &Measurements) -> bool {
+        let is_least = |(seen, [round_off, _]): (&MeasuredObservable, [f64; 2])| {
+            self.usual(measurements, seen.position) <= (1.0 + ROUND_OFF) * round_off
+        };
+        self.source == NoiseSource::Estimated && measurements.observables.iter().zip(least(measurements)).all(is_least)
+    }
 }
+
+/// Part of the values that is round-off, and what is round-off however small they are, SI: the size of a proton.
+const ROUND_OFF: f64 = 1e-9;
+const SMALLEST: f64 = 1e-15;
 
 /// Standard uncertainties (SI) below which the noise of an observable cannot lie, in the order of the file's:
 /// the round-off of its values, and what rounding to the gauge's step adds (step/√12, JCGM 100:2008, F.2.2.1).
@@ -34,17 +47,14 @@ fn least(measurements: &Measurements) -> Vec<[f64; 2]> {
     let of = |(number, rows): (usize, Vec<usize>)| {
         let scale = rows.iter().fold(0.0f64, |m, r| m.max(measurements.observed[*r].abs()));
         let step = step_of(measurements, &measurements.observed, number).unwrap_or(0.0);
-        [1e-9 * scale, step / 12f64.sqrt()]
+        [(ROUND_OFF * scale).max(SMALLEST), step / 12f64.sqrt()]
     };
     measurements.rows_by_observable().into_iter().enumerate().map(of).collect()
 }
 
-/// Orders the rows of one of several observables with neighbours side by side: the coordinate with the most
-/// values runs fastest. A file of one observable is taken as it was written.
+/// Orders the rows of an observable with neighbours side by side, however the file orders them: the coordinate with the most
+/// values runs fastest.
 fn in_line(measurements: &Measurements, mut rows: Vec<usize>) -> Vec<usize> {
-    if measurements.observables.len() < 2 {
-        return rows;
-    }
     let columns = &measurements.rows.columns;
     let levels = |column: &Values| {
         let mut values: Vec<f64> = rows.iter().map(|r| column[*r]).filter(|v| !v.is_nan()).collect();

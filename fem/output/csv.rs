@@ -17,9 +17,10 @@ pub fn table(table: &Table) -> String {
         for (i, column) in table.columns.iter().enumerate() {
             let comma = if i == 0 { "" } else { "," };
             let value = column.values[row];
-            // A missing value is an empty cell. Writing to a String does not fail.
+            // A missing value is an empty cell, and so is the stiffness of what does not yield. Writing to a String does not
+            // fail.
             let _ = match column.words.of_value(value) {
-                _ if value.is_nan() => write!(text, "{comma}"),
+                _ if !value.is_finite() => write!(text, "{comma}"),
                 Some(word) => write!(text, "{comma}{word}"),
                 // Nothing has no sign.
                 None => write!(text, "{comma}{}", value + 0.0),
@@ -43,5 +44,11 @@ mod tests {
             Column::numbers("deviation", Some("um"), vec![-0.0, -2.0]),
         ];
         assert_eq!(table(&Table { columns }), "direction,deviation [um]\n-,0\n+,-2\n");
+    }
+
+    #[test]
+    fn what_is_no_number_is_an_empty_cell() {
+        let columns = vec![Column::numbers("rate", Some("um"), vec![2.0, f64::INFINITY, f64::NAN])];
+        assert_eq!(table(&Table { columns }), "rate [um]\n2\n\n\n");
     }
 }

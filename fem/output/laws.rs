@@ -6,6 +6,7 @@ use serde_json::{Value as Json, json};
 use super::answer::Answer;
 use super::apart;
 use super::block::{Block, Column, Table};
+use super::comparison::NOT_JUDGED;
 use super::diagnosis::{add, with};
 use super::fit::{Short, estimate, rows};
 use super::measurement::{self, files};
@@ -61,6 +62,7 @@ impl Answer for LawsAnswer<'_> {
         let mut blocks = vec![Block::Sentence(format!("{name} beside {}: {} rows", data.name, data.len()))];
         let Some(best) = found.laws.first() else {
             blocks.push(Block::Sentence(match found.is_nothing_left {
+                _ if !found.is_judged() => NOT_JUDGED.into(),
                 true => format!("nothing is left for a law: chi2/dof {:.3}, what noise gives", found.before),
                 false => format!("chi2/dof {:.3} is left, and no law of {} explains it", found.before, sought(found)),
             }));
@@ -167,6 +169,7 @@ impl Answer for LawsAnswer<'_> {
             "files": files(data),
             "observations": data.len(),
             "verdict": match (found.is_nothing_left, told) {
+                _ if !found.is_judged() => "not-judged",
                 (true, _) => "adequate",
                 (false, None) => "unexplained",
                 (false, Some(_)) => "partly-explained",

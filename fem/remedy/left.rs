@@ -80,7 +80,12 @@ impl Made {
                 let now = observed(model, &values, &command, &rows).ok()?;
                 Some(used_of(&*model.system, &rows, &now)? - used)
             };
-            let square: f64 = knowledge.both_ways().filter_map(|(_, [up, _])| moved(up)).map(|own| own * own).sum();
+            let square: f64 = knowledge
+                .ways()
+                .map(|way| knowledge.both_ways(way, 1.0))
+                .filter_map(|[up, _]| moved(up))
+                .map(|own| own * own)
+                .sum();
             left.surely_used = Some(used + SURE * square.sqrt());
         }
         Ok(Self { rows, command, left, values: now })

@@ -227,3 +227,108 @@ fn where_no_thread_is_to_be_had_one_is_enough() {
         assert_eq!(answer.status.code(), Some(0), "{args}: {}", String::from_utf8_lossy(&answer.stderr));
     }
 }
+
+#[test]
+fn a_contour_whose_angles_are_out_of_order_has_peaks() {
+    let place = Place::new();
+    let slow = model("contour.toml");
+    let feed = slow.lines().find(|line| line.starts_with("feed")).unwrap();
+    let gain = slow.lines().find(|line| line.starts_with("gain")).unwrap();
+    place
+        .write("slow.toml", slow.replace(feed, "feed = \"6e-07 mm/min\"").replace(gain, "gain = \"50000000000.0 /s\""));
+    let answer = place.fem(&["run", "slow.toml", "-o", "out"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+}
+
+#[test]
+fn what_does_not_yield_has_no_stiffness_in_the_table() {
+    let place = Place::new();
+    place.write("lathe.toml", model("story/rigid.toml"));
+    assert_eq!(place.fem(&["run", "lathe.toml", "-o", "out"]).status, 0);
+    for file in place.files().iter().filter(|file| file.ends_with(".csv")) {
+        assert!(!place.read(file).contains("inf"), "{file}");
+    }
+}
+
+#[test]
+fn a_fitted_formula_without_a_value_somewhere_is_not_written() {
+    let place = Place::new();
+    place.write("f.toml", model("fixture.toml") + "\n[effects.mine]\nformula = \"a*abs(x)/x\"\na = \"? um\"\n");
+    let rows: String = (1..10).map(|i| format!("1,{},{},1\n", 30 * i, 5 + i)).collect();
+    place.write("m.csv", format!("part,x [mm],height_error [um],u [um]\n{rows}"));
+    let answer = place.fem(&["fit", "f.toml", "--with", "m.csv", "--add-to", "better.toml"]);
+    assert!(
+        answer.status == 1 && answer.err.contains("a formula of the model gives no finite number"),
+        "{}",
+        answer.err
+    );
+    assert!(!place.path("better.toml").exists());
+}
+
+#[test]
+fn a_value_that_may_lie_far_beyond_the_part_is_corrected_for() {
+    // Of what is written, 200 ± 500 mm, the rod has the first 200.
+    let place = Place::new();
+    let source = "\n[effects.extra-source]\nat = \"200 +- 500 mm\"\npower = \"0.5 +- 0.05 W\"\n";
+    place.write("rod.toml", model("thermal.toml") + source);
+    let answer = place.fem(&["correct", "rod.toml"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+}
+
+#[test]
+fn two_commands_tell_one_chi2() {
+    // Repeats with a time of their own, whose scatter is that of neighbours.
+    let place = Place::new();
+    let screw = "[screw]\nmaterial = \"steel\"\ndiameter = \"44 mm\"\nlead = \"12 mm\"\nfixed_at = \"0 mm\"\n";
+    let test = "[test]\npositions = 9\nruns = 5\n";
+    place.write("m.toml", format!("process = \"axis\"\n[axis]\ntravel = \"500 mm\"\n{screw}{test}"));
+    let noise = [0.4, -0.7, 0.2, 0.9, -0.3, -0.8, 0.6, 0.1, -0.5, 0.3, -0.2];
+    let row = |i: usize| {
+        let (run, at) = (1 + i / 18, i % 18);
+        let (position, direction) = if at < 9 { (at, '+') } else { (17 - at, '-') };
+        format!("{run},{},{direction},{},{}\n", 20 + 55 * position, 0.35 * (i + 1) as f64, noise[(7 * i) % 11])
+    };
+    let rows: String = (0..90).map(row).collect();
+    place.write("m.csv", format!("run,position [mm],direction,time [min],deviation [um]\n{rows}"));
+    let compared = json(&place, &["compare", "m.toml", "--with", "m.csv"])["models"][0]["chi2_per_dof"].clone();
+    let before = json(&place, &["diagnose", "m.toml", "--with", "m.csv"])["before"]["chi2_per_dof"].clone();
+    let [compared, before] = [compared, before].map(|own| own.as_f64().unwrap());
+    assert!((compared - before).abs() < 1e-9 * compared, "{compared} {before}");
+}
+
+#[test]
+fn names_of_others_are_shown_and_not_obeyed() {
+    let place = Place::new();
+    place.write("x\u{1b}[31m.toml", model("story/rigid.toml"));
+    let header = "part,x [mm],radial_force [N],diameter_error [um],u [um],\u{1b}]0;PWNED\u{7}\u{9b}1m\n";
+    place.write("m.csv", format!("{header}1,100,300,30,1,1\n1,200,300,2,1,1\n"));
+    place.write("bad.csv", format!("{header}1,100,300,30,1,1\n1,200,300,\u{1b}[2J,1,1\n"));
+    let name = "x\u{1b}[31m.toml";
+    for args in [
+        &["run", name, "-o", "o\u{1b}]0;x\u{7}"][..],
+        &["compare", name, "--with", "m.csv"],
+        &["compare", name, "--with", "m.csv", "--json"],
+        &["compare", name, "--with", "bad.csv"],
+        &["report", name, "--with", "m.csv", "-o", "o\u{1b}[2J.html", "--time-limit", "1 s"],
+        &["run", "none\u{9b}1m.toml"],
+    ] {
+        let answer = place.fem(args);
+        let is_harmless = |text: &str| text.chars().all(|c| !c.is_control() || matches!(c, '\n' | '\t'));
+        assert!(is_harmless(&answer.out) && is_harmless(&answer.err), "{args:?}: {:?} {:?}", answer.out, answer.err);
+    }
+}
+
+#[test]
+fn lines_that_are_no_table_are_refused_before_they_are_parted() {
+    let place = Place::new();
+    place.write("rigid.toml", model("story/rigid.toml"));
+    for (text, message) in [
+        ("a,".repeat(6_000_000), "line 1 has 12000000 bytes; at most 10000000 are read"),
+        (format!("# joined\n{}", ";".repeat(40_000)), "line 2 has 40001 columns; at most 1000 are read"),
+        (format!("x [mm],diameter_error [um]\n1,{}", "9".repeat(11_000_000)), "line 2 has 11000002 bytes"),
+    ] {
+        place.write("m.csv", text);
+        refused(&place, &["compare", "rigid.toml", "--with", "m.csv"], message);
+        refused(&place, &["import", "m.csv"], message);
+    }
+}

@@ -110,3 +110,35 @@ fn an_error_that_cannot_be_told_is_no_panic() {
     let output = place.command(&["run", "missing.toml"]).stderr(Stdio::from(full)).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
 }
+
+#[test]
+fn a_model_named_by_dots_has_its_files_in_the_folder() {
+    let place = Place::new();
+    place.write("m.csv", model("story/measured.csv"));
+    for name in ["...toml", "other.toml"] {
+        place.write(name, model("story/rigid.toml"));
+    }
+    let answer = place.fem(&["compare", "...toml", "other.toml", "--with", "m.csv", "-o", "made"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert!(place.path("made/model/residuals.csv").exists() && !place.path("residuals.csv").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn results_in_a_folder_of_another_group_are_replaced_and_keep_theirs() {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
+    let place = Place::new();
+    place.write("m.toml", model("stiffness.toml"));
+    let run = || place.fem(&["run", "m.toml", "-o", "out"]);
+    assert_eq!(run().status, 0);
+    // Who may not give a folder to a group has no such folder either.
+    if chown(place.path("out"), None, Some(4321)).is_err() {
+        return;
+    }
+    std::fs::set_permissions(place.path("out"), std::fs::Permissions::from_mode(0o2770)).unwrap();
+    let before = std::fs::metadata(place.path("out/profile.csv")).unwrap().gid();
+    let answer = run();
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let group = |name: &str| std::fs::metadata(place.path(name)).unwrap().gid();
+    assert_eq!((group("out"), group("out/profile.csv")), (4321, before));
+}

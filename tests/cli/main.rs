@@ -11,6 +11,7 @@ mod cam;
 mod compare;
 mod compensate;
 mod contour;
+mod copies;
 mod correct;
 mod discover;
 mod drawn_part;
@@ -24,6 +25,7 @@ mod formula;
 #[cfg(unix)]
 mod hostile;
 mod import;
+mod judged;
 mod machine;
 mod measurement;
 mod mesh_file;

@@ -154,3 +154,19 @@ fn the_form_of_a_profile_is_told_by_how_it_turns() {
         assert_eq!(json["findings"]["form"]["form"], word, "{text}");
     }
 }
+
+#[test]
+fn a_page_of_very_many_points_stays_light() {
+    let place = Place::new();
+    let text = model("lathe.toml");
+    let lathe: Vec<&str> = text.lines().filter(|line| !line.starts_with("pauses")).collect();
+    place.write(
+        "m.toml",
+        lathe.join("\n").replace("positions = 101", "positions = 40000").replace("parts = 12", "parts = 1"),
+    );
+    let answer = place.fem(&["report", "m.toml", "-o", "page.html"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let page = place.read("page.html");
+    assert!(page.len() < 2_000_000, "{} bytes", page.len());
+    assert!(page.contains(" of 40000 points tell their values"), "{}", page.len());
+}

@@ -187,3 +187,19 @@ fn a_served_page_outlives_its_clients() {
     stream.read_to_string(&mut page).unwrap();
     assert!(page.starts_with("HTTP/1.1 200") && page.contains("</html>"));
 }
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_read_once_and_hashed_as_it_was_read() {
+    let place = Place::new();
+    place.write("rigid.toml", model("story/rigid.toml"));
+    place.write("m.csv", model("story/measured.csv"));
+    let made = std::process::Command::new("mkfifo").arg(place.path("pipe")).status().unwrap();
+    assert!(made.success());
+    let (from, to) = (place.path("m.csv"), place.path("pipe"));
+    let writer = std::thread::spawn(move || std::fs::write(to, std::fs::read(from).unwrap()));
+    let answer = place.fem(&["report", "rigid.toml", "--with", "pipe", "-o", "page.html", "--time-limit", "1 ms"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    writer.join().unwrap().unwrap();
+    assert!(place.read("page.html").contains(&place.sha256("m.csv")));
+}

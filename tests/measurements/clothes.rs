@@ -22,7 +22,7 @@ const SAMPLE: usize = 60;
 const ASKED: f64 = 0.01;
 
 /// Words for columns: German, French, Italian, Spanish, Polish, Czech, Russian, Chinese, Japanese.
-const WORDS: &[(&str, [&str; 9])] = &[
+pub(super) const WORDS: &[(&str, [&str; 9])] = &[
     (
         "position",
         [
@@ -78,7 +78,7 @@ const WAYS: &[[&str; 2]] = &[
 ];
 
 /// Units in which a column may be written instead, with the factor by which its numbers then grow.
-const UNITS: &[(&str, &[(&str, f64)])] = &[
+pub(super) const UNITS: &[(&str, &[(&str, f64)])] = &[
     ("um", &[("µm", 1.0), ("mm", 1e-3), ("nm", 1e3), ("мкм", 1.0), ("micron", 1.0)]),
     ("mm", &[("m", 1e-3), ("um", 1e3), ("in", 1.0 / 25.4), ("мм", 1.0), ("cm", 0.1)]),
     ("deg", &[("Grad", 1.0), ("°", 1.0), ("rad", std::f64::consts::PI / 180.0), ("arcmin", 60.0)]),
@@ -90,14 +90,14 @@ const UNITS: &[(&str, &[(&str, f64)])] = &[
 
 /// A table as the program writes it.
 #[derive(Clone)]
-struct Table {
+pub(super) struct Table {
     /// Name and unit of each column.
-    columns: Vec<(String, String)>,
-    rows: Vec<Vec<String>>,
+    pub(super) columns: Vec<(String, String)>,
+    pub(super) rows: Vec<Vec<String>>,
 }
 
 impl Table {
-    fn of(text: &str) -> Self {
+    pub(super) fn of(text: &str) -> Self {
         let mut lines = text.lines().filter(|line| !line.starts_with('#') && !line.trim().is_empty());
         let column = |cell: &str| match cell.trim().split_once(" [") {
             Some((name, unit)) => (name.to_string(), unit.trim_end_matches(']').to_string()),
@@ -122,7 +122,7 @@ struct Dressed {
 }
 
 /// A number with as many digits as it takes.
-fn scaled(cell: &str, factor: f64) -> String {
+pub(super) fn scaled(cell: &str, factor: f64) -> String {
     match cell.parse::<f64>() {
         Ok(number) if factor != 1.0 => format!("{}", number * factor),
         _ => cell.to_string(),

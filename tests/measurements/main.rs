@@ -13,6 +13,7 @@ mod instruments;
 mod limits;
 mod noise;
 mod real;
+mod relations;
 mod slips;
 
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
 //! The instrument shows steps.
 
 use super::super::evidence::Evidence;
-use super::super::grid::step_of;
 use super::super::key::OBSERVABLE;
 use super::super::term::{Acts, MeasurementEffect, Size, Term};
+use crate::measure::step_of;
 
 /// Readings are rounded to the instrument's step.
 pub static RESOLUTION: MeasurementEffect = MeasurementEffect {

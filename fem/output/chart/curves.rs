@@ -4,6 +4,7 @@ use super::data::{Axis, Chart, Form, Point, Series};
 use super::scale::{Frame, Scale};
 use super::style::COLOURS;
 use super::svg::Svg;
+use super::thin::{Drawn, FROM, thinned};
 
 /// Size of the picture, pixels.
 const SIZE: [f64; 2] = [680.0, 380.0];
@@ -57,37 +58,40 @@ fn plot(svg: &mut Svg, series: &Series, xs: &Scale, ys: &Scale) {
 
 fn band(svg: &mut Svg, series: &Series, xs: &Scale, ys: &Scale, colour: usize) {
     let there = || series.points.iter().filter(|p| p.x.is_finite() && p.y.is_finite());
-    let upper = there().map(|p| (p.x, p.ends()[1]));
-    let lower: Vec<_> = there().map(|p| (p.x, p.ends()[0])).collect();
+    let edge = |end: usize| thinned(there().map(|p| [xs.at(p.x), ys.at(p.ends()[end])]).collect());
     let corners: Vec<String> =
-        upper.chain(lower.into_iter().rev()).map(|(x, y)| format!("{:.1},{:.1}", xs.at(x), ys.at(y))).collect();
+        edge(1).into_iter().chain(edge(0).into_iter().rev()).map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
     svg.push(format!("<polygon class=\"w d{colour}\" points=\"{}\"/>", corners.join(" ")));
 }
 
 fn dots(svg: &mut Svg, series: &Series, xs: &Scale, ys: &Scale, colour: usize) {
     let size = if series.points.len() > 400 { 2.0 } else { 2.8 };
     let there = || series.points.iter().filter(|p| p.x.is_finite() && p.y.is_finite() && ys.holds(p.y));
+    let is_many = series.points.len() > FROM;
+    let (mut of_bars, mut of_dots) = (Drawn::default(), Drawn::default());
     let bars: String = there()
         .filter(|p| p.u.is_finite())
         .map(|p| {
             let [low, high] = p.ends().map(|v| ys.at(v));
             let x = xs.at(p.x);
-            // Bars that hide behind their dots are not drawn.
-            if low - high > 2.0 * size { format!("M{x:.1} {low:.1}V{high:.1}") } else { String::new() }
+            // Bars that hide behind their dots, or others, are not drawn.
+            let is_seen = low - high > 2.0 * size && (!is_many || of_bars.is_new(&[x, low, high]));
+            if is_seen { format!("M{x:.1} {low:.1}V{high:.1}") } else { String::new() }
         })
         .collect();
     if !bars.is_empty() {
         svg.push(format!("<path class=\"e c{colour}\" d=\"{bars}\"/>"));
     }
     // One path of round caps: a tenth of the bytes of so many circles.
-    let caps: String = there().map(|p| format!("M{:.1} {:.1}h0", xs.at(p.x), ys.at(p.y))).collect();
+    let places = there().map(|p| [xs.at(p.x), ys.at(p.y)]).filter(|at| !is_many || of_dots.is_new(at));
+    let caps: String = places.map(|[x, y]| format!("M{x:.1} {y:.1}h0")).collect();
     svg.push(format!("<path class=\"c c{colour}\" style=\"stroke-width:{:.1}\" d=\"{caps}\"/>", 2.0 * size));
 }
 
 fn mark(svg: &mut Svg, series: &Series, xs: &Scale, ys: &Scale) {
-    for p in series.points.iter().filter(|p| ys.holds(p.y)) {
-        svg.mark([xs.at(p.x), ys.at(p.y)], &series.label, &[p.x, p.y, p.u]);
-    }
+    let there = series.points.iter().filter(|p| ys.holds(p.y));
+    let marks = there.map(|p| ([xs.at(p.x), ys.at(p.y)], vec![p.x, p.y, p.u]));
+    svg.mark_all(&series.label, marks, series.points.len());
 }
 
 /// Writes each label beside the rightmost point of its series, as near as others allow.

@@ -10,6 +10,7 @@ mod polar;
 mod scale;
 mod style;
 mod svg;
+mod thin;
 
 pub use data::{Axis, Chart, Form, Plane, Point, Series};
 pub use draw::{draw, named};

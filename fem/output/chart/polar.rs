@@ -4,6 +4,7 @@ use super::data::{Axis, Chart, Form, Point, Series};
 use super::scale::Scale;
 use super::style::COLOURS;
 use super::svg::Svg;
+use super::thin::{Drawn, FROM};
 
 /// Size of the picture, pixels.
 const SIZE: [f64; 2] = [680.0, 520.0];
@@ -39,7 +40,9 @@ pub fn draw(chart: &Chart, y: &Axis, series: &[Series]) -> Svg {
         let places: Vec<[f64; 2]> = one.points.iter().map(|p| at(p.x, radius.at(p.y))).collect();
         match one.form {
             Form::Dots | Form::Band => {
-                let caps: String = places.iter().map(|[x, y]| format!("M{x:.1} {y:.1}h0")).collect();
+                let mut drawn = Drawn::default();
+                let seen = places.iter().filter(|at| places.len() <= FROM || drawn.is_new(*at));
+                let caps: String = seen.map(|[x, y]| format!("M{x:.1} {y:.1}h0")).collect();
                 svg.push(format!("<path class=\"c c{colour}\" style=\"stroke-width:5\" d=\"{caps}\"/>"));
             }
             form => {
@@ -58,9 +61,8 @@ pub fn draw(chart: &Chart, y: &Axis, series: &[Series]) -> Svg {
                 svg.line(&format!("{class} c{colour}"), places.iter().copied().chain(again));
             }
         }
-        for (point, place) in one.points.iter().zip(&places) {
-            svg.mark(*place, &one.label, &[point.x, point.y]);
-        }
+        let marks = one.points.iter().zip(&places).map(|(point, place)| (*place, vec![point.x, point.y]));
+        svg.mark_all(&one.label, marks, one.points.len());
     }
     let mut top = 92.0;
     for one in series.iter().filter(|s| !s.label.is_empty()) {

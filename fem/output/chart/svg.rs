@@ -2,6 +2,7 @@
 
 use super::data::Axis;
 use super::style::sheet;
+use super::thin::{APART, Drawn, FROM, thinned};
 
 /// A picture: a file of its own, or a part of a page.
 #[derive(Clone, Debug, Default)]
@@ -20,6 +21,8 @@ pub struct Svg {
     pub series: Vec<String>,
     /// Where values can be asked for.
     pub marks: Vec<Mark>,
+    /// How many more there are, within a few pixels of these.
+    pub unmarked: usize,
 }
 
 /// A place of a picture at which something was drawn, and its values.
@@ -53,17 +56,32 @@ impl Svg {
 
     /// Adds a line through pixels; where one is not finite, it is broken.
     pub fn line(&mut self, class: &str, points: impl IntoIterator<Item = [f64; 2]>) {
+        let points = thinned(points.into_iter().collect());
         let mut path = String::new();
-        let mut is_down = false;
-        for [x, y] in points {
+        let (mut drawn, mut before) = (Drawn::default(), None);
+        for [x, y] in &points {
             let is_there = x.is_finite() && y.is_finite();
             if is_there {
+                // A line that goes to and fro a thousand times goes the same ways.
+                let mut is_seen = |[a, b]: [f64; 2]| points.len() > FROM && !drawn.is_new(&[a, b, *x, *y]);
+                let is_down = before.is_some_and(|before| !is_seen(before));
                 path.push_str(&format!("{}{x:.1} {y:.1}", if is_down { "L" } else { "M" }));
             }
-            is_down = is_there;
+            before = is_there.then_some([*x, *y]);
         }
         if !path.is_empty() {
             self.push(format!("<path class=\"{class}\" d=\"{path}\"/>"));
+        }
+    }
+
+    /// Lets a reader ask for values of the points of a series; of very many that lie within a few pixels the first.
+    pub fn mark_all(&mut self, series: &str, points: impl IntoIterator<Item = ([f64; 2], Vec<f64>)>, count: usize) {
+        let mut drawn = Drawn::default();
+        for (at, values) in points {
+            match count <= FROM || drawn.is_new(&at.map(|own| own / APART)) {
+                true => self.mark(at, series, &values),
+                false => self.unmarked += 1,
+            }
         }
     }
 

@@ -13,6 +13,7 @@ use crate::model::Model;
 use crate::output::answer::Answer;
 use crate::output::block::Block;
 use crate::output::chart::{Svg, named};
+use crate::output::json::finite;
 use crate::output::plots::Judged;
 use crate::output::staged::Staged;
 use crate::output::{OutputError, measurement, plots};
@@ -75,7 +76,7 @@ impl Answer for ComparisonAnswer<'_> {
                     "file": measurements.file_of(c.worst).unwrap_or(&measurements.name),
                     "at": place(process.coordinates(), measurements, c.worst),
                 },
-                "chi2_per_dof": c.reduced_chi2,
+                "chi2_per_dof": finite(c.reduced_chi2),
                 "p_value": c.p_value,
                 "adequate": c.adequacy(),
                 "features": c.features.iter().map(feature).collect::<Vec<_>>(),

@@ -37,7 +37,7 @@ pub(in crate::output) fn compared(measurements: &Measurements, comparisons: &[Co
             Cell::number(rms),
             Cell::signed(bias),
             Cell::signed(worst),
-            Cell::number(c.reduced_chi2),
+            Cell::finite(c.reduced_chi2),
             Cell::Text(verdict(c).into()),
         ]
     };
@@ -48,10 +48,13 @@ pub(in crate::output) fn compared(measurements: &Measurements, comparisons: &[Co
     Table { caption, ..Table::new(columns, comparisons.iter().map(row)) }
 }
 
+/// What is said of rows that are too few, or stand too much alike, to tell their noise.
+pub(in crate::output) const NOT_JUDGED: &str = "not judged: too few rows at different places, and no column u";
+
 /// The verdict on a model as it is written, in a few words.
 pub(in crate::output) fn verdict(c: &Comparison) -> &'static str {
     match (c.adequate(), c.p_value) {
-        _ if c.adequacy().is_none() => "not judged: too few rows, and no column u",
+        _ if c.adequacy().is_none() => NOT_JUDGED,
         (true, Some(_)) => "adequate: nothing is left but the noise",
         (false, None) if c.is_rougher() && c.features.is_empty() => {
             "fails: far more is left than neighbouring rows scatter by, though along no coordinate"

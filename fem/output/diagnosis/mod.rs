@@ -315,7 +315,7 @@ pub(super) fn next(next: &Next, model: &Model) -> Json {
 
 fn remaining(data: &Data, diagnosis: &Diagnosis) -> Json {
     match diagnosis.verdict {
-        Verdict::Adequate | Verdict::MissingEffect => Json::Null,
+        Verdict::Adequate | Verdict::MissingEffect | Verdict::NotJudged => Json::Null,
         Verdict::PartlyExplained | Verdict::Unexplained => {
             let features: Vec<Json> = diagnosis.remaining.iter().map(super::comparison::feature).collect();
             json!({ "text": unexplained(data, diagnosis), "features": features })

@@ -77,7 +77,7 @@ pub fn head(data: &Data, d: &Diagnosis) -> String {
 }
 
 fn where_it_fails(d: &Diagnosis) -> Vec<Block> {
-    if d.verdict == Verdict::Adequate {
+    if matches!(d.verdict, Verdict::Adequate | Verdict::NotJudged) {
         return Vec::new();
     }
     let mut blocks = vec![Block::Heading("where it fails, with what the model leaves open re-fitted".into())];

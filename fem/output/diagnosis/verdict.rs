@@ -4,6 +4,7 @@ use super::kinds::{Kinds, is_grouped};
 use super::words::label;
 use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Group, Missing, Verdict};
 use crate::model::Data;
+use crate::output::comparison::NOT_JUDGED;
 use crate::output::listing::listed;
 
 /// Most observables of which the error is told one by one; of more it is told in standard uncertainties.
@@ -21,6 +22,10 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
     };
     match d.verdict {
         Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
+        Verdict::NotJudged => {
+            let left = errors(data, &d.before);
+            format!("{NOT_JUDGED}: the model is off by {left}; repeat rows, or give the column")
+        }
         Verdict::MissingEffect => match fall(data, d) {
             Some(fall) => format!("missing: {}; with {them} {fall}, down to the noise", names(d)),
             None => {
@@ -38,15 +43,21 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
                 Verdict::Adequate => "down to the noise",
                 _ => "and structure remains",
             };
-            format!(
-                "unexplained: no effect known here is the cause, but {} describes it; with {them} {fall}, {left}",
-                names(d)
-            )
+            let none = no_cause(data);
+            format!("unexplained: {none}, but {} describes it; with {them} {fall}, {left}", names(d))
         }
         Verdict::Unexplained => {
             let left = errors(data, &d.before);
-            format!("unexplained: the model is off by {left}, and no effect known here is the cause")
+            format!("unexplained: the model is off by {left}, and {}", no_cause(data))
         }
+    }
+}
+
+/// What is said of the effects none of which is the cause; of those that were not tried nothing is.
+fn no_cause(data: &Data) -> &'static str {
+    match !data.progress.left_undone().is_empty() {
+        true => "no cause was found in the time, which was over before all effects were tried",
+        false => "no effect known here is the cause",
     }
 }
 

@@ -116,6 +116,7 @@ impl Move {
             return Err(io::ErrorKind::AlreadyExists.into());
         }
         if let (Over::File(_), Ok(there)) = (&self.over, to.symlink_metadata(name)) {
+            take_group(&from, name, &there)?;
             from.set_permissions(name, there.permissions())?;
         }
         from.rename(name, &to, name)
@@ -256,14 +257,30 @@ pub fn is_alike(a: &Metadata, b: &Metadata) -> bool {
     a.permissions() == b.permissions()
 }
 
-/// Whether two belong to one owner and one group.
+/// Whether two belong to one owner.
 #[cfg(unix)]
-pub fn belong_together(a: &Metadata, b: &Metadata) -> bool {
+pub fn have_one_owner(a: &Metadata, b: &Metadata) -> bool {
     use cap_std::fs::MetadataExt;
-    (a.uid(), a.gid()) == (b.uid(), b.gid())
+    a.uid() == b.uid()
+}
+
+/// Gives a file the group of the one that it replaces: a folder may give new files another one.
+#[cfg(unix)]
+fn take_group(folder: &Dir, name: &OsStr, there: &Metadata) -> io::Result<()> {
+    use cap_std::fs::MetadataExt;
+    use rustix::fs::{AtFlags, Gid, chownat};
+    if folder.symlink_metadata(name)?.gid() == there.gid() {
+        return Ok(());
+    }
+    Ok(chownat(folder, name, None, Some(Gid::from_raw(there.gid())), AtFlags::SYMLINK_NOFOLLOW)?)
 }
 
 #[cfg(not(unix))]
-pub fn belong_together(_: &Metadata, _: &Metadata) -> bool {
+fn take_group(_: &Dir, _: &OsStr, _: &Metadata) -> io::Result<()> {
+    Ok(())
+}
+
+#[cfg(not(unix))]
+pub fn have_one_owner(_: &Metadata, _: &Metadata) -> bool {
     true
 }

@@ -211,7 +211,7 @@ impl<'a> Stage<'a> {
         }
         let new = self.beside.dir().symlink_metadata(&entry.name);
         let is_own = |o: &Entry| o.name == entry.name && o.is_untouched(into);
-        let is_own = old.iter().any(is_own) && new.is_ok_and(|new| replace::belong_together(&new, &there));
+        let is_own = old.iter().any(is_own) && new.is_ok_and(|new| replace::have_one_owner(&new, &there));
         if !self.guard.force && !is_own {
             return Err(OutputError::Exists { path });
         }

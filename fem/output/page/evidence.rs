@@ -23,6 +23,8 @@ pub fn facts(found: &Evidence) -> Vec<(String, String)> {
     let kind = data.kind();
     let fact = |name: &str, value: String| (name.to_string(), value);
     let mut facts = Vec::new();
+    // As many parameters as conditions leave no lack of fit to judge, and no scatter no yardstick.
+    let shown = |chi2: f64, text: String| if chi2.is_finite() { text } else { "\u{2013}".into() };
     match (found.diagnosis, found.comparisons) {
         (Some(d), _) => {
             let [before, after] = [&d.before, &d.after].map(|g| kind.from_si(g.rms));
@@ -32,19 +34,15 @@ pub fn facts(found: &Evidence) -> Vec<(String, String)> {
                 "root mean square error",
                 fall(format!("{before:.3}"), format!("{after:.3}")) + " " + &kind.unit,
             ));
-            // As many parameters as conditions leave no lack of fit to judge.
-            let shown = |chi2: f64| match chi2.is_finite() {
-                true => format!("{:.4}", crate::output::fit::Short(chi2)),
-                false => "\u{2013}".into(),
-            };
-            let [b, a] = [&d.before, &d.after].map(|g| shown(g.reduced_chi2));
+            let short = |chi2: f64| shown(chi2, format!("{:.4}", crate::output::fit::Short(chi2)));
+            let [b, a] = [&d.before, &d.after].map(|g| short(g.reduced_chi2));
             facts.push(fact("reduced \u{3c7}\u{b2}", fall(b, a)));
             facts.push(fact("noise", format!("{:.3} {}", kind.from_si(d.noise.together()), kind.unit)));
             facts.push(fact("missing effects", diagnosis::counted(d)));
         }
         (None, [.., c]) => {
             facts.push(fact("root mean square error", format!("{:.3} {}", kind.from_si(c.rms), kind.unit)));
-            facts.push(fact("reduced \u{3c7}\u{b2}", format!("{:.3}", c.reduced_chi2)));
+            facts.push(fact("reduced \u{3c7}\u{b2}", shown(c.reduced_chi2, format!("{:.3}", c.reduced_chi2))));
             facts.push(fact("noise", format!("{:.3} {}", kind.from_si(c.noise.level(data).together()), kind.unit)));
         }
         (None, []) => {}

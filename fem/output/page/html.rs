@@ -61,13 +61,22 @@ pub fn figure(name: &str, svg: &Svg) -> String {
             .collect::<serde_json::Value>()
     };
     let axes: Vec<_> = svg.axes.iter().map(|a| json!({ "name": a.name, "unit": a.unit, "words": a.words })).collect();
-    let data = json!({ "name": name, "axes": axes, "series": svg.series, "marks": svg.marks.iter().map(mark).collect::<Vec<_>>() });
+    let (drawn, all) = (svg.marks.len(), svg.marks.len() + svg.unmarked);
+    let few = match drawn < all {
+        true => paragraph(
+            "",
+            &format!("{drawn} of {all} points tell their values; lines and dots show all, pixel by pixel."),
+        ),
+        false => String::new(),
+    };
+    let marks: Vec<_> = svg.marks.iter().map(mark).collect();
+    let data = json!({ "name": name, "axes": axes, "series": svg.series, "marks": marks });
     // A script ends at its closing tag, wherever that stands.
     let data = data.to_string().replace('<', "\\u003c");
     let label = escaped(&svg.title).replace('"', "&quot;");
     format!(
         "<figure><div class=\"view\" tabindex=\"0\" role=\"group\" aria-label=\"{label}: arrow keys tell values, + and \u{2212} zoom\">\
-         {}</div><figcaption></figcaption><script type=\"application/json\">{data}</script></figure>",
+         {}</div><figcaption></figcaption>{few}<script type=\"application/json\">{data}</script></figure>",
         svg.inline()
     )
 }

@@ -120,6 +120,7 @@ fn verdict(subject: &Subject) -> (String, &'static str) {
             let mood = match d.verdict {
                 Verdict::Adequate | Verdict::MissingEffect => "good",
                 Verdict::PartlyExplained | Verdict::Unexplained => "bad",
+                Verdict::NotJudged => "",
             };
             (diagnosis::verdict(found, d), mood)
         }

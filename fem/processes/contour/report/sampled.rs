@@ -38,7 +38,9 @@ impl Sampled {
         let columns = vec![Values::default(); programme.rows.columns.len()];
         let mut sampled = Self { rows: Rows { columns, observable: Values::default() }, deviations: Vec::new() };
         for direction in &setup.directions {
-            let (own, dense) = (programme.lap(*direction), fine.lap(*direction));
+            let (own, mut dense) = (programme.lap(*direction), fine.lap(*direction));
+            // Angles are those that the machine reaches, which need not follow each other as the programme's do.
+            dense.sort_by(|a, b| fine.angle(*a).total_cmp(&fine.angle(*b)));
             for (k, row) in own.iter().enumerate() {
                 sampled.push(&programme, *row);
                 let next = own[(k + 1) % own.len()];
@@ -48,8 +50,9 @@ impl Sampled {
                     let share = (angle - from) / (to - from);
                     (1.0 - share) * programme.deviations[*row] + share * programme.deviations[next]
                 };
-                let between = &dense
-                    [dense.partition_point(|j| fine.angle(*j) <= from)..dense.partition_point(|j| fine.angle(*j) < to)];
+                let [first, behind] =
+                    [dense.partition_point(|j| fine.angle(*j) <= from), dense.partition_point(|j| fine.angle(*j) < to)];
+                let between = dense.get(first..behind).unwrap_or_default();
                 let off = |j: &&usize| fine.deviations[**j] - line(fine.angle(**j));
                 let highest = between.iter().max_by(|a, b| off(a).total_cmp(&off(b)));
                 let lowest = between.iter().min_by(|a, b| off(a).total_cmp(&off(b)));

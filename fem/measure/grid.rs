@@ -1,6 +1,6 @@
 //! The grid on which the values of a file lie: the step of the instrument.
 
-use crate::measure::Measurements;
+use super::Measurements;
 use crate::units::Unit;
 
 /// Most decimals that are looked at.
@@ -15,10 +15,7 @@ const COARSER: f64 = 5.0;
 /// that of the instrument, or else of the last digit that is written. `None` where the values are too few to
 /// tell, or have more digits than anybody writes.
 pub fn step_of(measurements: &Measurements, observed: &[f64], observable: usize) -> Option<f64> {
-    let seen = measurements.observables.get(observable)?;
-    let unit = Unit::parse(&seen.unit).ok()?;
-    let own = (0..observed.len()).filter(|row| measurements.observable(*row) == observable);
-    let mut values: Vec<f64> = own.map(|row| (observed[row] - unit.offset) / unit.factor).collect();
+    let (mut values, unit) = as_written(measurements, observed, observable)?;
     let (rows, written) = (values.len(), written(&values)?);
     values.sort_unstable_by(f64::total_cmp);
     values.dedup_by(|a, b| (*a - *b).abs() < 0.5 * written);
@@ -27,6 +24,20 @@ pub fn step_of(measurements: &Measurements, observed: &[f64], observable: usize)
     }
     let coarse = coarse_step(&values, written).filter(|step| *step >= COARSER * written);
     Some(coarse.unwrap_or(written) * unit.factor)
+}
+
+/// Place (SI) of the last digit in which an observable is written; `None` where the values have more digits than anybody
+/// writes.
+pub fn written_step(measurements: &Measurements, observable: usize) -> Option<f64> {
+    let (values, unit) = as_written(measurements, &measurements.observed, observable)?;
+    written(&values).map(|place| place * unit.factor)
+}
+
+/// Values of an observable in the unit in which the file writes them.
+fn as_written(measurements: &Measurements, observed: &[f64], observable: usize) -> Option<(Vec<f64>, Unit)> {
+    let unit = Unit::parse(&measurements.observables.get(observable)?.unit).ok()?;
+    let own = (0..observed.len()).filter(|row| measurements.observable(*row) == observable);
+    Some((own.map(|row| (observed[row] - unit.offset) / unit.factor).collect(), unit))
 }
 
 /// Largest step that all of these rising values share, but for the rounding of the digits that are written.
@@ -55,11 +66,13 @@ fn written(values: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::noise::tests::measured;
+    use crate::process::{Rows, Values};
 
     /// Values (mm) of rows of turning's first observable.
     fn step(values: &[f64]) -> Option<f64> {
-        let rows = measured(&vec![0.0; values.len()]);
+        let (process, count) = (crate::processes::ALL[0], values.len());
+        let columns = vec![Values::shared(0.0, count); process.coordinates().len()];
+        let rows = Measurements::planned(process, "rows", Rows { columns, observable: Values::shared(0, count) });
         let unit = Unit::parse(&rows.observables[0].unit).unwrap();
         let observed: Vec<f64> = values.iter().map(|v| v * unit.factor + unit.offset).collect();
         step_of(&rows, &observed, 0).map(|step| step / unit.factor)
