@@ -109,6 +109,9 @@ pub struct Run {
     /// Write the figures alone, as SVG, into this folder
     #[arg(long, value_name = "DIR", conflicts_with = "output")]
     pub plot: Option<PathBuf>,
+    /// Frames of the shapes for ParaView, at most
+    #[arg(long, value_name = "N", default_value_t = 26, value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    pub frames: u32,
     /// Replace files that this program did not write
     #[arg(long)]
     pub force: bool,

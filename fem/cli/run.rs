@@ -18,7 +18,8 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     let model = Model::load(&args.model)?;
     model.require_part()?;
     let progress = Arc::new(Progress::default());
-    let (run, band) = watched(&progress, || ask::run(&model, &progress))?;
+    let (mut run, band) = watched(&progress, || ask::run(&model, &progress))?;
+    run.report.animation = run.report.animation.map(|own| own.thinned(args.frames as usize));
     let answer = RunAnswer(&model, &run, band.as_ref());
     let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model, "model"));
     let reads = model.paths();

@@ -136,6 +136,32 @@ pub struct Animation {
     pub frame: Box<dyn Fn(usize) -> Frame + Send + Sync>,
 }
 
+impl Animation {
+    /// The same with so many frames at most, two or more: evenly spaced, the first, the last and the telling one among them.
+    #[must_use]
+    pub fn thinned(self, most: usize) -> Self {
+        let most = most.max(2);
+        if self.frames <= most {
+            return self;
+        }
+        let last = self.frames - 1;
+        let mut chosen: Vec<usize> = (0..most).map(|i| (i * last) / (most - 1)).collect();
+        let telling = match self.telling {
+            0 => 0,
+            own if own >= last => most - 1,
+            // Two frames are the ends, of which none can be given for it.
+            _ if most == 2 => 1,
+            own => {
+                let next = (1..most - 1).min_by_key(|i| chosen[*i].abs_diff(own)).unwrap_or(1);
+                chosen[next] = own;
+                next
+            }
+        };
+        let Self { frame, .. } = self;
+        Self { telling, frames: most, frame: Box::new(move |i| frame(chosen[i])), ..self }
+    }
+}
+
 /// A number to 13 digits, half of the last of them going either way. Within the range of whole powers of ten that a
 /// double holds exactly the quotient is the double nearest to the digits; columns may have millions of rows.
 fn clean(value: f64) -> f64 {
@@ -150,6 +176,31 @@ fn clean(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_animation_keeps_its_ends_and_the_frame_that_tells_most() {
+        let of = |frames: usize, telling: usize, most: usize| {
+            let frame = |i: usize| Frame { time: i as f64, ..Frame::default() };
+            let own = Animation {
+                name: "",
+                shown: "",
+                time: "",
+                view: View::Oblique,
+                telling,
+                most_magnified: 1.0,
+                frames,
+                frame: Box::new(frame),
+            };
+            let own = own.thinned(most);
+            let times: Vec<f64> = (0..own.frames).map(|i| (own.frame)(i).time).collect();
+            assert!(times.windows(2).all(|two| two[0] < two[1]), "{times:?}");
+            (times.len(), times[0], times[own.telling], times[times.len() - 1])
+        };
+        assert_eq!(of(101, 37, 26), (26, 0.0, 37.0, 100.0));
+        assert_eq!(of(101, 100, 26), (26, 0.0, 100.0, 100.0));
+        assert_eq!(of(101, 1, 3), (3, 0.0, 1.0, 100.0));
+        assert_eq!(of(19, 7, 26), (19, 0.0, 7.0, 18.0));
+    }
 
     #[test]
     fn cleaned_numbers_are_those_of_their_digits() {
