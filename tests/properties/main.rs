@@ -37,7 +37,8 @@ fn models(process: &dyn Process) -> Vec<Model> {
         ],
         "contour" => vec![start.to_string(), equipped(start)],
         "fixture" => {
-            vec![start.to_string(), start.replace("# depth = \"1 mm\"", "diameter = \"80 mm\"\ndepth = \"20 um\"")]
+            let tilted = start.replace("# depth = \"1 mm\"", "diameter = \"80 mm\"\ndepth = \"20 um\"");
+            vec![start.to_string(), tilted, PLANE_PART.to_string()]
         }
         "rotary" => vec![start.to_string(), tilting(start), JOINT.to_string()],
         _ => vec![start.to_string()],
@@ -58,6 +59,12 @@ fn equipped(start: &str) -> String {
     let drives = format!("[drives]\nfrequency = \"3 Hz\"\nx = {screw}\ny = {screw}");
     start.replace("[drives]", &drives) + "\n[cut]\nnormal_force = \"200 N\"\ntangential_force = \"120 N\"\n"
 }
+
+/// A plate bent between two pads, as a plane body.
+const PLANE_PART: &str = "process = \"fixture\"\nmesh = { element_size = \"20 mm\" }\n\
+    workpiece = { material = \"steel\", length = \"300 mm\", width = \"60 mm\", height = \"40 mm\" }\n\
+    support = [{ at = \"20 mm\", width = \"10 mm\" }, { at = \"280 mm\", width = \"10 mm\" }]\n\
+    clamp = [{ at = \"150 mm\", width = \"20 mm\", force = \"5 kN\" }]\nsweep = { positions = 11 }\n";
 
 /// A joint of a robot behind gears, on which a torque acts: rigid but for what effects make of it.
 const JOINT: &str = "process = \"rotary\"\naxis = { range = \"180 deg\" }\n\
