@@ -102,6 +102,11 @@ pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     (0..rows.len()).filter_map(check).collect()
 }
 
+/// The rows of an observable.
+pub fn own(rows: &Rows, observable: usize) -> impl Iterator<Item = usize> {
+    (0..rows.len()).filter(move |row| rows.observable[*row] == observable)
+}
+
 /// The model's own programme: at every time the elongation, then the temperatures from the base on, then diameters.
 pub fn programme(setup: &Setup) -> Rows {
     let elongation = setup.body.has_ends().then_some(Seen::Elongation);

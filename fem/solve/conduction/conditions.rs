@@ -1,6 +1,6 @@
 //! Conditions that heat and cool a body.
 
-use super::{History, Loss, Power, ThermalError};
+use super::{History, Power, ThermalError};
 use crate::element::plane::{Thickness, WHOLE};
 use crate::mesh::{Mesh, Side};
 
@@ -66,6 +66,20 @@ pub enum Condition {
         sides: String,
         /// T over time.
         temperature: History,
+    },
+}
+
+/// What a surface loses to surroundings, by its temperature and the time.
+#[derive(Clone, Debug)]
+pub enum Loss {
+    /// h (T − T_a), h in W/(m² K) over time.
+    Film(History),
+    /// εσ (T⁴ − T_a⁴) of absolute temperatures.
+    Radiation {
+        /// Emissivity ε.
+        emissivity: f64,
+        /// Absolute temperature (K) at which all histories and temperatures of the body are zero.
+        zero: f64,
     },
 }
 

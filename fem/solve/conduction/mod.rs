@@ -13,11 +13,11 @@ mod surface;
 mod system;
 mod transient;
 
-pub use conditions::Condition;
+pub use conditions::{Condition, Loss};
 pub use energy::Energy;
 pub use error::ThermalError;
 pub use history::{History, Power, Pulse, Swing};
 pub use scheme::Scheme;
-pub use surface::{Loss, STEFAN_BOLTZMANN};
+pub use surface::STEFAN_BOLTZMANN;
 pub use system::ThermalSystem;
 pub use transient::{Instant, Run};

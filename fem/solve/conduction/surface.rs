@@ -3,27 +3,13 @@
 //! They act on the nodes of the sides, each for its share of the surface, ∫ Nₐ t dl: of sides of second order that is Simpson's rule. A
 //! stage finds the rates under them by Newton's steps with a factor that is kept as long as it serves.
 
-use super::conditions::side_shares;
+use super::conditions::{Loss, side_shares};
 use super::{Condition, History, ThermalError};
 use crate::element::plane::Thickness;
 use crate::mesh::Mesh;
 
 /// Stefan–Boltzmann constant, W/(m² K⁴) (CODATA 2018).
 pub const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
-
-/// What a surface loses to surroundings, by its temperature and the time.
-#[derive(Clone, Debug)]
-pub enum Loss {
-    /// h (T − T_a), h in W/(m² K) over time.
-    Film(History),
-    /// εσ (T⁴ − T_a⁴) of absolute temperatures.
-    Radiation {
-        /// Emissivity ε.
-        emissivity: f64,
-        /// Absolute temperature (K) at which all histories and temperatures of the body are zero.
-        zero: f64,
-    },
-}
 
 /// A surface with its loss.
 pub(super) struct Surface {

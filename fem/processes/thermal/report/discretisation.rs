@@ -2,9 +2,8 @@
 
 use super::super::forward::observe;
 use super::super::machine::Machine;
-use super::super::rows::{DIAMETER, ELONGATION, TEMPERATURE_OF_ROW};
+use super::super::rows::{DIAMETER, ELONGATION, TEMPERATURE_OF_ROW, own};
 use super::super::setup::{Setup, Time};
-use super::own;
 use crate::process::{Failure, Figure, Forward, Rows};
 use crate::units::{MICRO, TEMPERATURE_RISE};
 

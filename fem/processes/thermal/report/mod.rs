@@ -10,7 +10,7 @@ use self::scene::{Hottest, Scene};
 use super::body::Body;
 use super::boundary::Condition;
 use super::machine::Machine;
-use super::rows::{COORDINATES, DIAMETER, ELONGATION, OBSERVABLES, TEMPERATURE_OF_ROW, TIME_OF_ROW, X, Y};
+use super::rows::{COORDINATES, DIAMETER, ELONGATION, OBSERVABLES, TEMPERATURE_OF_ROW, TIME_OF_ROW, X, Y, own};
 use super::setup::Setup;
 use super::surroundings::Surroundings;
 use crate::process::{Column, Failure, Figure, Forward, Plot, Rows, RunReport, Table, first_extreme};
@@ -50,11 +50,6 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         animation: Some(scene.animation()),
         ..RunReport::default()
     })
-}
-
-/// The rows of an observable.
-fn own(rows: &Rows, observable: usize) -> impl Iterator<Item = usize> {
-    (0..rows.len()).filter(move |row| rows.observable[*row] == observable)
 }
 
 /// A measurement file of its own: a record observes the elongation, a temperature or a diameter, other cells are empty.
