@@ -46,7 +46,7 @@ impl Measurements {
         }
         let note = format!(
             "{} are copies of a block that stands above them, equal to the last digit: they are counted once; give \
-             repeats that were measured a run of their own",
+             repeats that were measured a run of their own, or take all as they are with --as-typed",
             told(&self, &rows)
         );
         self.but(&rows, note)
@@ -179,7 +179,7 @@ impl Measurements {
                 "and is taken as one of which they tell together, of u/√{times}; where the rows were pasted by mistake, \
                  take them out"
             ),
-            None => "and is counted once; give repeats that were measured a run of their own".into(),
+            None => "and is counted once; give repeats that were measured a run of their own, or take all as they are with --as-typed".into(),
         };
         let note = format!("each reading stands there {all}, equal to the last digit, {how}");
         let once = self.keeping(|row| is_kept[row]);

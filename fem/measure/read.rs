@@ -119,10 +119,7 @@ fn read(file: &Exported, process: &dyn Process, purpose: Purpose, said: &Reading
     measurements.notes = file.notes.into_iter().chain(left_out).chain(measurements.notes).chain(unused).collect();
     measurements.leave_echoes_out();
     if !said.as_typed && purpose == Purpose::Measured {
-        measurements = measurements.without_slips(vocabulary, &header.columns, file.difference);
-    }
-    if purpose == Purpose::Measured {
-        measurements = measurements.without_own_copies();
+        measurements = measurements.without_slips(vocabulary, &header.columns, file.difference).without_own_copies();
     }
     if measurements.len() > MANY {
         let rows = measurements.len();

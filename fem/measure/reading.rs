@@ -14,7 +14,7 @@ pub struct Reading {
     pub decimal: Option<Decimal>,
     /// The line in which the headings stand, from 1, where it was said, or that there are none.
     pub headings: Option<Option<usize>>,
-    /// Whether readings are taken as they are typed, be they as far off as a slip of the pen.
+    /// Whether readings are taken as they are typed, be they as far off as a slip of the pen, or copies of others above them.
     pub as_typed: bool,
     /// The sheet of a workbook, where it was said.
     pub sheet: Option<String>,

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use fem::diagnose::{Cause, Diagnosis, MOST_EFFECTS, Verdict};
 use fem::input::Source;
-use fem::measure::Measurements;
+use fem::measure::{Measurements, Reading};
 use fem::model::{Data, Model};
 use fem::noise::NoiseSource;
 use fem::process::Failure;
@@ -153,7 +153,10 @@ pub fn apart(case: &Case) -> f64 {
 pub fn between(model: &str, exact: &str, noise_of_rows: &[f64]) -> f64 {
     let model = Model::parse(Source::new("revealed.toml", model.to_string())).expect("the model is right");
     let exact = Source::new("exact.csv", exact.to_string());
-    let exact = Measurements::parse(exact, &*model.process).expect("so are the data");
+    // Repeats that have no noise would be copies.
+    let mut said = Reading::default();
+    said.as_typed = true;
+    let exact = Measurements::parse_as(exact, &*model.process, &said).expect("so are the data");
     let rows = model.system.resolved(&exact.rows);
     let predicted = model.forward().observe(&rows).expect("the model can be computed");
     let mut differences: Vec<f64> = predicted.iter().zip(&exact.observed).map(|(p, e)| p - e).collect();

@@ -121,7 +121,8 @@ fn a_piece_of_a_wave_is_no_wave_of_the_room() {
 #[test]
 fn a_steady_rod_has_the_published_convection() {
     let diagnosis = diagnosed("rod-smith");
-    assert_eq!((diagnosis.verdict, diagnosis.missing.len()), (Verdict::Adequate, 0));
+    // So few places without a noise of their own show no more than that nothing is wrong.
+    assert_eq!((diagnosis.verdict, diagnosis.missing.len()), (Verdict::NotJudged, 0));
     let film = diagnosis.fit.estimates.iter().find(|e| e.parameter.path.ends_with("coefficient")).unwrap();
     assert!((film.value - 19.1).abs() < film.std, "{} +- {}", film.value, film.std);
 }
