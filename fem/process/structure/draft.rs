@@ -146,6 +146,12 @@ impl Draft {
         reach
     }
 
+    /// How far some members reach along x, in words.
+    pub fn reach_in_words(&self, members: &[Name]) -> String {
+        let stretch = |(low, high): (f64, f64)| format!("from {} to {}", LENGTH.format(low), LENGTH.format(high));
+        self.reach(members).into_iter().map(stretch).collect::<Vec<_>>().join(" and ")
+    }
+
     /// The node at x (m) on what something stands on, which is put in where there is none; `None` beyond its ends.
     pub fn node_at(&mut self, stand: &Stand, x: f64) -> Option<usize> {
         let members = match stand {

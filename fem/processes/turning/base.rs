@@ -165,9 +165,7 @@ fn off(t: &Reader, draft: &Draft, key: &str, stand: &Stand, [from, to]: [f64; 2]
         true => format!("stands at x = {}", LENGTH.format(from)),
         false => format!("travels from x = {} to {}", LENGTH.format(from), LENGTH.format(to)),
     };
-    let stretch = |(low, high): (f64, f64)| format!("from {} to {}", LENGTH.format(low), LENGTH.format(high));
-    let reach: Vec<String> = draft.reach(members).into_iter().map(stretch).collect();
-    let message = format!("`{key}` {at}, and its members go {}", reach.join(" and "));
+    let message = format!("`{key}` {at}, and its members go {}", draft.reach_in_words(members));
     t.problem(
         key,
         message,

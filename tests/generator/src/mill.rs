@@ -159,22 +159,8 @@ impl Mill {
         for (node, [x, y]) in self.nodes[..FIRST].iter().enumerate() {
             text += &format!("{} = [{}, {}]\n", name(node), mm(*x), mm(*y));
         }
-        for Member { name: own, nodes: [a, b], width, height } in &self.members {
-            let between = format!("between = [\"{}\", \"{}\"]", name(*a), name(*b));
-            text += &format!("[structure.{own}]\n{between}\nwidth = {}\nheight = {}\n", mm(*width), mm(*height));
-        }
-        for Joint { name: own, nodes: (a, b), way, stiffness } in &self.joints {
-            let at = match b {
-                None => format!("at = \"{}\"", name(*a)),
-                Some(b) => format!("between = [\"{}\", \"{}\"]", name(*b), name(*a)),
-            };
-            let (along, stiffness) = match way {
-                0 => ("x", format!("{} N/um", 1e-6 * stiffness)),
-                1 => ("y", format!("{} N/um", 1e-6 * stiffness)),
-                _ => ("turning", format!("{} kN*m/rad", 1e-3 * stiffness)),
-            };
-            text += &format!("[structure.{own}]\n{at}\nalong = \"{along}\"\nstiffness = \"{stiffness}\"\n");
-        }
+        self.members.iter().for_each(|member| text += &member.written(name));
+        self.joints.iter().for_each(|joint| text += &joint.written(name));
         text
     }
 }

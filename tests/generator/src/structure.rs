@@ -41,6 +41,34 @@ pub(crate) struct Member {
     pub height: f64,
 }
 
+impl Joint {
+    /// Its table, with the names of nodes by their numbers.
+    pub fn written(&self, name: impl Fn(usize) -> String) -> String {
+        let at = match self.nodes.1 {
+            None => format!("at = \"{}\"", name(self.nodes.0)),
+            Some(other) => format!("between = [\"{}\", \"{}\"]", name(self.nodes.0), name(other)),
+        };
+        let (along, stiffness) = match self.way {
+            0 => ("x", format!("{} N/um", 1e-6 * self.stiffness)),
+            1 => ("y", format!("{} N/um", 1e-6 * self.stiffness)),
+            _ => ("turning", format!("{} kN*m/rad", 1e-3 * self.stiffness)),
+        };
+        format!("[structure.{}]\n{at}\nalong = \"{along}\"\nstiffness = \"{stiffness}\"\n", self.name)
+    }
+}
+
+impl Member {
+    /// Its table, with the names of nodes by their numbers.
+    pub fn written(&self, name: impl Fn(usize) -> String) -> String {
+        let [a, b] = self.nodes.map(name);
+        let [width, height] = [self.width, self.height].map(|length| 1e3 * length);
+        format!(
+            "[structure.{}]\nbetween = [\"{a}\", \"{b}\"]\nwidth = \"{width} mm\"\nheight = \"{height} mm\"\n",
+            self.name
+        )
+    }
+}
+
 struct Machine {
     nodes: Vec<(&'static str, [f64; 2])>,
     members: Vec<Member>,
@@ -130,29 +158,9 @@ impl Machine {
             nodes.iter().map(of).collect::<Vec<_>>().join(", ")
         };
         text += &format!("\n[structure.ports]\nloads = [{}]\ndials = [{}]\n", list(&self.loads), list(&self.dials));
-        for member in &self.members {
-            let [a, b] = member.nodes.map(|node| self.nodes[node].0);
-            text += &format!(
-                "\n[structure.{}]\nbetween = [\"{a}\", \"{b}\"]\nwidth = \"{} mm\"\nheight = \"{} mm\"\n",
-                member.name,
-                mm(member.width),
-                mm(member.height)
-            );
-        }
-        for joint in &self.joints {
-            let at = match joint.nodes.1 {
-                None => format!("at = \"{}\"", self.nodes[joint.nodes.0].0),
-                Some(other) => {
-                    format!("between = [\"{}\", \"{}\"]", self.nodes[joint.nodes.0].0, self.nodes[other].0)
-                }
-            };
-            let (along, stiffness) = match joint.way {
-                0 => ("x", format!("{} N/um", 1e-6 * joint.stiffness)),
-                1 => ("y", format!("{} N/um", 1e-6 * joint.stiffness)),
-                _ => ("turning", format!("{} kN*m/rad", 1e-3 * joint.stiffness)),
-            };
-            text += &format!("\n[structure.{}]\n{at}\nalong = \"{along}\"\nstiffness = \"{stiffness}\"\n", joint.name);
-        }
+        let name = |node: usize| self.nodes[node].0.to_string();
+        self.members.iter().for_each(|member| text += &format!("\n{}", member.written(name)));
+        self.joints.iter().for_each(|joint| text += &format!("\n{}", joint.written(name)));
         text
     }
 }
