@@ -29,6 +29,7 @@ pub fn models(process: &dyn Process) -> Result<Vec<Model>, fem::input::InputErro
         "fixture" => vec![
             start.replace("# depth = \"1 mm\"", "depth = \"20 um\""),
             start.replace("# diameter = \"80 mm\"", "diameter = \"80 mm\""),
+            BENT.replace("\nfriction = \"0.15\"", ""),
         ],
         "rotary" => vec![tilting(start), JOINT.to_string()],
         _ => Vec::new(),
@@ -36,6 +37,9 @@ pub fn models(process: &dyn Process) -> Result<Vec<Model>, fem::input::InputErro
     let texts = std::iter::once(start.to_string()).chain(further);
     texts.map(|text| Model::parse(Source::new("model.toml", text))).collect()
 }
+
+/// A part bent between its supports, as a plane body: of the friction on its pads nothing is in the model yet.
+const BENT: &str = include_str!("../../models/bracket.toml");
 
 /// A joint of a robot behind gears, on which a torque acts: rigid but for what effects make of it.
 const JOINT: &str = "process = \"rotary\"\naxis = { range = \"180 deg\" }\n\

@@ -1,12 +1,14 @@
 //! Joints: supports that yield, linearly and by the contact law y = c·Qⁿ; two of them that press on each other; seats that
-//! a preload holds together, or that have clearance.
+//! a preload holds together, or that have clearance; friction beside one.
 
 mod clearance;
 mod pair;
+mod rubbing;
 mod seat;
 
 pub use clearance::{give_way, lost_motion};
 pub use pair::Pair;
+pub use rubbing::Rubbing;
 pub use seat::Seat;
 
 /// A yielding support: springs and contacts in series, y(Q) = Q·Σ1/k + Σ c·Qⁿ.

@@ -27,10 +27,19 @@ pub fn assembled<D: Definition>(model: &str, effects: &str) -> Option<Assembled<
 #[cfg(test)]
 /// A machine with one effect of its catalogue, values in canonical units.
 pub fn with_effect<D: Definition>(model: &str, name: &str, canonical: &[f64]) -> Assembled<D> {
+    with_effects(model, &[(name, canonical)])
+}
+
+#[cfg(test)]
+/// The same with several effects.
+pub fn with_effects<D: Definition>(model: &str, all: &[(&str, &[f64])]) -> Assembled<D> {
     let model = Document::parse(model).unwrap();
     let (setup, _, problems) = Reader::document(model.as_table(), D::read);
     assert_eq!(problems, []);
-    let effect = D::EFFECTS.iter().map(|e| e.description()).find(|d| d.name == name).unwrap();
-    let values = effect.parameters.iter().zip(canonical).map(|(p, v)| p.kind.to_si(*v)).collect();
-    Assembled::new(setup.unwrap().into(), &[effect.with(values)])
+    let active = all.iter().map(|(name, canonical)| {
+        let effect = D::EFFECTS.iter().map(|e| e.description()).find(|d| d.name == *name).unwrap();
+        let values = effect.parameters.iter().zip(*canonical).map(|(p, v)| p.kind.to_si(*v)).collect();
+        effect.with(values)
+    });
+    Assembled::new(setup.unwrap().into(), &active.collect::<Vec<_>>())
 }

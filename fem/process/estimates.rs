@@ -71,6 +71,12 @@ pub const OVERHANG: Doubt =
 /// How far something that was set up by hand stands out of line, m.
 pub const ALIGNMENT: Doubt = Doubt::by_amount(0.2, 50e-6, "a steady rest is set by feel");
 
+/// How far what is exchanged or mounted anew stands high, m.
+pub const SEATING: Doubt = Doubt::by_amount(0.2, 20e-6, "chips and burrs lie under what is exchanged");
+
+/// How far it lies out of level, m/m.
+pub const LEVELLING: Doubt = Doubt::by_amount(0.2, 50e-6, "a fixture is levelled with a dial from end to end");
+
 /// Power or heat of a source.
 pub const POWER: Doubt = Doubt::by_factor(
     0.2,

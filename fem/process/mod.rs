@@ -45,7 +45,7 @@ pub use allowed::{Allowed, AllowedWords};
 pub use belongs::{Belongs, UnitRole};
 pub(crate) use bench::assembled;
 #[cfg(test)]
-pub(crate) use bench::with_effect;
+pub(crate) use bench::{with_effect, with_effects};
 pub(crate) use blank::{BlankProfile, BlankWords, Wave};
 pub use change::{CHANGED, change_of, is_size, name_of_change};
 pub use command::{Answers, Command, Commanded, RADIUS_CHANGE, order};

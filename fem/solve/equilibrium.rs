@@ -10,10 +10,10 @@
 //! with q the forces that supports out of line leave on the joints.
 //!
 //! Where statics decides, S = 0 and Q = g·P at once. Otherwise Newton's method runs along each joint's path
-//! (see [`Joint::along`]), on which the contact law has no infinite slope, with a line search on the
+//! (see [`Rubbing::along`]), on which the contact law has no infinite slope, with a line search on the
 //! residual.
 
-use crate::joint::{Joint, JointState};
+use crate::joint::{JointState, Rubbing};
 
 /// Residual at which a state counts as in equilibrium, relative to the forces in play.
 const TOLERANCE: f64 = 1e-12;
@@ -63,7 +63,7 @@ pub enum JointsError {
 /// # Errors
 /// Newton's method did not converge.
 pub fn solve_joints(
-    joints: &[Joint; 2],
+    joints: &[Rubbing; 2],
     influence: [f64; 2],
     constraint: &[[f64; 2]; 2],
     (load, bent_forces): (f64, [f64; 2]),
@@ -99,7 +99,7 @@ pub fn solve_joints(
 }
 
 /// Statics alone gives the forces.
-fn determinate(joints: &[Joint; 2], influence: [f64; 2], forces: [f64; 2]) -> Equilibrium {
+fn determinate(joints: &[Rubbing; 2], influence: [f64; 2], forces: [f64; 2]) -> Equilibrium {
     let [(y0, rate0), (y1, rate1)] = [joints[0].yield_under(forces[0]), joints[1].yield_under(forces[1])];
     // A joint without force does not move, however steep its law begins.
     let rate = |g: f64, rate: f64| if g == 0.0 { 0.0 } else { g * rate };
@@ -113,12 +113,8 @@ fn determinate(joints: &[Joint; 2], influence: [f64; 2], forces: [f64; 2]) -> Eq
 }
 
 /// Forces with each joint replaced by its secant at the forces that statics alone would give.
-fn secant_forces(joints: &[Joint; 2], target: [f64; 2], s: &[[f64; 2]; 2]) -> [f64; 2] {
-    let secant = |i: usize| match target[i] {
-        0.0 => joints[i].spring_compliance,
-        q => joints[i].displacement(q) / q,
-    };
-    let y = [secant(0), secant(1)];
+fn secant_forces(joints: &[Rubbing; 2], target: [f64; 2], s: &[[f64; 2]; 2]) -> [f64; 2] {
+    let y = [0, 1].map(|i: usize| joints[i].secant(target[i]));
     let matrix = [[1.0 + s[0][0] * y[0], s[0][1] * y[1]], [s[1][0] * y[0], 1.0 + s[1][1] * y[1]]];
     solve2(matrix, target).unwrap_or(target)
 }
@@ -132,7 +128,7 @@ struct States {
 }
 
 impl States {
-    fn at(joints: &[Joint; 2], path: [f64; 2], target: [f64; 2], s: &[[f64; 2]; 2]) -> Self {
+    fn at(joints: &[Rubbing; 2], path: [f64; 2], target: [f64; 2], s: &[[f64; 2]; 2]) -> Self {
         let states = [joints[0].along(path[0]), joints[1].along(path[1])];
         let [y0, y1] = [states[0].displacement, states[1].displacement];
         let balance = |i: usize| states[i].force + s[i][0] * y0 + s[i][1] * y1 - target[i];
@@ -158,7 +154,7 @@ impl States {
     }
 
     /// The first of ever shorter steps that lowers the residual.
-    fn search(&self, joints: &[Joint; 2], target: [f64; 2], s: &[[f64; 2]; 2], step: [f64; 2]) -> Option<Self> {
+    fn search(&self, joints: &[Rubbing; 2], target: [f64; 2], s: &[[f64; 2]; 2], step: [f64; 2]) -> Option<Self> {
         let mut length = 1.0;
         for _ in 0..40 {
             let path = [self.path[0] - length * step[0], self.path[1] - length * step[1]];

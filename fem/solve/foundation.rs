@@ -340,6 +340,7 @@ mod tests {
         let foundation = Foundation { supports, cross: vec![seen.others], tool: vec![seen.own], seats };
         let shaft = shaft.condense_on(&[x], foundation).unwrap();
         let joints = [1.0 / 6e7, 1.0 / 4e7].map(|k| crate::joint::Joint { spring_compliance: k, contacts: Vec::new() });
+        let joints = joints.each_ref().map(crate::joint::Rubbing::free);
         let supports =
             crate::solve::solve_joints(&joints, shaft.influence[0], &shaft.constraint, (1.0, shaft.bent_forces), None);
         let ends = supports.unwrap().displacements;

@@ -14,7 +14,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::equilibrium::JointsError;
-use crate::joint::{Joint, JointState, Seat};
+use crate::joint::{JointState, Rubbing, Seat};
 
 /// Most joints of a structure that are no springs.
 pub const MOST_SEATS: usize = 8;
@@ -88,7 +88,7 @@ struct State {
 
 /// The joints and what they see.
 struct Problem<'p> {
-    joints: &'p [Joint; 2],
+    joints: &'p [Rubbing<'p>; 2],
     seats: &'p [Seat],
     constraint: &'p DMatrix<f64>,
     /// Forces with every joint rigid, N.
@@ -259,7 +259,7 @@ fn root(of: impl Fn(f64) -> f64, near: f64) -> f64 {
 /// # Errors
 /// Newton's method did not converge, a seat opens that alone bears a part, or there are more seats than [`MOST_SEATS`].
 pub fn solve_seated(
-    joints: &[Joint; 2],
+    joints: &[Rubbing; 2],
     seats: &[Seat],
     system: &System,
     load: f64,
@@ -324,7 +324,7 @@ pub fn solve_seated(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::joint::Contact;
+    use crate::joint::{Contact, Joint};
     use crate::solve::solve_joints;
 
     /// Without seats it is the problem of the end joints, and is solved as that is.
@@ -335,6 +335,7 @@ mod tests {
             Joint { spring_compliance: 1.0 / 60e6, contacts: vec![contact] },
             Joint { spring_compliance: 1.0 / 40e6, contacts: Vec::new() },
         ];
+        let joints = joints.each_ref().map(Rubbing::free);
         let constraint = [[3e7, -1e7], [-1e7, 2e7]];
         let matrix = DMatrix::from_fn(2, 2, |i, j| constraint[i][j]);
         for (load, bent) in [(450.0, [0.0, 0.0]), (100.0, [30.0, -20.0]), (2000.0, [-50.0, 10.0])] {
@@ -352,7 +353,8 @@ mod tests {
     /// A contact whose force statics gives, at rest, loaded, about to open and beyond, whatever rounding leaves of its preload.
     #[test]
     fn a_contact_that_statics_loads_yields_by_its_law_until_it_opens() {
-        let joints = [Joint::default(), Joint::default()];
+        let rigid = Joint::default();
+        let joints = [Rubbing::free(&rigid); 2];
         let left = DMatrix::from_fn(3, 3, |i, j| if i == 2 && j == 2 { 3e-8 } else { 0.0 });
         let constraint = resisted(left, &[6e8]);
         for (n, preload) in [(0.4, 1500.0), (0.6, 2000.0), (0.7, 3000.0), (0.5, 50_000.0), (0.55, 0.0)] {
@@ -376,7 +378,8 @@ mod tests {
     /// spring limits it.
     #[test]
     fn a_clearance_is_crossed() {
-        let joints = [Joint::default(), Joint::default()];
+        let rigid = Joint::default();
+        let joints = [Rubbing::free(&rigid); 2];
         let seats = [Seat::Clearance(5e-6)];
         // The seat's spring k beside another k' that bears what it does not: S = k k'/(k + k').
         let matrix = DMatrix::from_fn(3, 3, |i, j| if i == 2 && j == 2 { 1e7 } else { 0.0 });

@@ -301,3 +301,44 @@ fn a_correction_keeps_to_the_faces_of_the_top() {
         assert!(answer.out.contains(&format!("{told:+.3}")), "{told:+.3}\n{}", answer.out);
     }
 }
+
+/// Two places on three pallets, measured on 18 parts, by hand: c*sqrt(Q) less how high place and pallet stand, and wear.
+fn measured_in_places() -> String {
+    let (places, pallets) = ([(20.0, 0.0, 0.0), (260.0, 5.2, -22.0)], [(0.0, 0.0), (4.1, 9.0), (-6.3, 0.0)]);
+    let mut text = "part,place,pallet,x [mm],clamp_force [N],height_error [um],u [um]\n".to_string();
+    let mut scatter = generator::random::Random::new("places", 1);
+    for number in 0..18 {
+        let (place, pallet, part) = (number % 2, number / 2 % 3, 20 * (number + 1));
+        let force: f64 = [4000.0, 3500.0, 4500.0][number / 6];
+        for x in (10..200).step_by(30).map(f64::from) {
+            let (at, high, tilt) = places[place];
+            let raised = high + 1e-3 * tilt * x + pallets[pallet].0 + 1e-3 * pallets[pallet].1 * (at + x);
+            let error = 0.23 * force.sqrt() - raised + 3.7e-3 * part as f64 + 0.3 * scatter.normal();
+            text += &format!("{part},{},{},{x},{force},{error:.4},0.3\n", place + 1, pallet + 1);
+        }
+    }
+    text
+}
+
+#[test]
+fn what_places_and_pallets_are_off_by_is_told_and_found() {
+    let place = Place::new();
+    place.write("model.toml", model("two-places.toml"));
+    place.write("measured.csv", measured_in_places());
+    insta::assert_snapshot!(place.fem(&["run", "model.toml", "-o", "out"]).out);
+    assert!(place.read("out/profile.csv").starts_with("part,x [mm],place,pallet"));
+    // A model of one place does not take them for its own.
+    let text = place.read("model.toml");
+    let (sites, sizes) = (text.find("[[place]]").unwrap(), text.find("[[size]]").unwrap());
+    place.write("one.toml", [&text[..sites], &text[sizes..]].concat());
+    let refused = place.fem(&["diagnose", "one.toml", "--with", "measured.csv"]);
+    assert_eq!(refused.status, 2);
+    insta::assert_snapshot!("places_of_no_model", refused.err);
+    // What nobody has measured of them is found.
+    let level = "high = \"0 um\"\ntilt = \"0 um/m\"\n";
+    let blank = format!(
+        "[[place]]\nat = \"20 mm\"\n[[place]]\nat = \"260 mm\"\n{level}[[pallet]]\n[[pallet]]\n{level}[[pallet]]\n{level}\n"
+    );
+    place.write("level.toml", [&text[..sites], &blank, &text[sizes..]].concat());
+    insta::assert_snapshot!("places_found", place.fem(&["diagnose", "level.toml", "--with", "measured.csv"]).out);
+}

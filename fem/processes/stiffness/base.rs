@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::input::Reader;
-use crate::joint::{Joint, Seat};
+use crate::joint::{Joint, Rubbing, Seat};
 use crate::process::Failure;
 use crate::process::structure::{Draft, Drawn, Port};
 use crate::solve::structure::{Displaced, Freedom};
@@ -102,8 +102,9 @@ impl Base {
         }
         let bent_forces = vec![0.0; 2 + laws.len()];
         let system = System { influence: &influence[load], constraint, bent_forces: &bent_forces };
-        let ends = [Joint::default(), Joint::default()];
-        let all = solve_seated(&ends, laws, &system, force, None).map_err(|error| self.drawn.failure(error))?;
+        let rigid = Joint::default();
+        let all = solve_seated(&[Rubbing::free(&rigid); 2], laws, &system, force, None)
+            .map_err(|error| self.drawn.failure(error))?;
         Ok(all.displacements[2..].to_vec())
     }
 

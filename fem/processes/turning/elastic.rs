@@ -8,9 +8,14 @@
 use super::cut::Conditions;
 use super::machine::{Machine, Moment, Nose};
 use super::setup::Setup;
-use crate::joint::Joint;
+use crate::joint::{Joint, Rubbing};
 use crate::process::Failure;
-use crate::solve::{Condensed, Equilibrium, JointsError, MOST_SEATS, Moved, System, solve_joints, solve_seated};
+use crate::solve::{
+    Condensed, Equilibrium, JointsError, MOST_SEATS, Moved, ShaftError, System, solve_joints, solve_seated,
+};
+
+/// What the joints of headstock and tailstock bear, N, in every pass; nothing where nothing rubs.
+pub type Borne = [[f64; 2]];
 
 /// A cut at one place and moment: force, depth, diameter, nose and supports.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +30,8 @@ pub struct Cutting {
     pub commanded: f64,
     /// How far headstock and tailstock stand from their places, m.
     pub displacements: [f64; 2],
+    /// What the joints of headstock and tailstock bore before the tool came there, N; where friction holds them they stay.
+    pub borne: [f64; 2],
 }
 
 impl Cutting {
@@ -32,12 +39,20 @@ impl Cutting {
     pub fn new(machine: &Machine, moment: &Moment, conditions: Conditions) -> Self {
         let (nose, displacements) = (machine.nose_at(moment), machine.displacements_at(moment));
         let commanded = machine.commanded_at(moment);
-        Self { conditions, diameter: moment.diameter, nose, commanded, displacements }
+        Self { conditions, diameter: moment.diameter, nose, commanded, displacements, borne: [0.0; 2] }
     }
 
-    /// The last pass on a part at x (m), by the schedule and the settings of the model, where the work is as it is meant.
+    /// The last pass on a part at x (m), by the schedule and the settings of the model, where the work is as it is meant and
+    /// nothing has been through anything.
     pub fn on_part(machine: &Machine, part: usize, x: f64) -> Self {
         Self::new(machine, &machine.moment_on(part, x), machine.setup.conditions(x, 0.0))
+    }
+
+    /// The same behind a place up to which the joints have been through this, of every pass; see [`History::at`].
+    #[must_use]
+    pub fn behind(mut self, borne: &Borne) -> Self {
+        self.borne = borne.last().copied().unwrap_or_default();
+        self
     }
 
     /// The same where the last pass is programmed to another radius, larger by a change (m).
@@ -65,6 +80,8 @@ pub struct Deflection {
     pub supports: Equilibrium,
     /// How far these stand from their places, m.
     pub displaced: [f64; 2],
+    /// What their joints bear; the rest of the forces is friction, N.
+    pub borne: [f64; 2],
     /// Displacements and path variables of the joints of the structure that are no springs.
     pub seats: [[f64; MOST_SEATS]; 2],
     /// The shaft's own bending under the tool, m.
@@ -101,7 +118,8 @@ struct Settled {
 /// The elastic part of a machine: what a deflection depends on.
 pub struct Elastic<'a> {
     shaft: &'a Condensed,
-    joints: [Joint; 2],
+    joints: [&'a Joint; 2],
+    friction: [f64; 2],
     carriage: &'a Joint,
     feedback: Option<f64>,
     setup: &'a Setup,
@@ -110,36 +128,67 @@ pub struct Elastic<'a> {
 impl<'a> Elastic<'a> {
     /// A machine on a shaft condensed to the positions of interest.
     pub fn new(machine: &'a Machine, shaft: &'a Condensed) -> Self {
-        let joints = [machine.headstock.clone(), machine.tailstock.clone()];
+        let joints = [&machine.headstock, &machine.tailstock];
         let feedback = machine.feedback.filter(|exponent| *exponent != 0.0);
-        Self { shaft, joints, carriage: &machine.carriage, feedback, setup: &machine.setup }
+        let (friction, carriage) = (machine.friction, &machine.carriage);
+        Self { shaft, joints, friction, carriage, feedback, setup: &machine.setup }
     }
 
-    /// The diameter error (m) that the passes before the last leave at x with the tool there, at position
-    /// number `i`, at an angle (rad) around the part or on the mean: where the force is fed back each copies what it
-    /// meets. `last` is the last pass, and whatever moves nose and supports in it moves them in all.
-    ///
-    /// # Errors
-    /// The joints found no equilibrium.
-    pub fn before(&self, i: usize, x: f64, angle: Option<f64>, last: &Cutting) -> Result<f64, Failure> {
+    /// The diameter error (m) that the first pass meets at x, at an angle (rad) around the part or on the mean: none where
+    /// no pass copies it.
+    pub fn met(&self, x: f64, angle: Option<f64>) -> f64 {
         if self.feedback.is_none() {
-            return Ok(0.0);
+            return 0.0;
         }
         let blank = &self.setup.blank;
         // Half of a diameter is what the tool meets at one angle.
         let around = angle.map_or(0.0, |angle| 2.0 * blank.around(angle));
-        let blank = blank.error(x, self.setup.length()) + around;
+        blank.error(x, self.setup.length()) + around
+    }
+
+    /// The diameter error (m) that the passes before the last leave at x with the tool there, at position
+    /// number `i`, at an angle (rad) around the part or on the mean: where the force is fed back each copies what it
+    /// meets. `last` is the last pass, and whatever moves nose and supports in it moves them in all; `borne` is what the
+    /// joints bore in every pass before the tool came there.
+    ///
+    /// # Errors
+    /// The joints found no equilibrium.
+    pub fn before(&self, i: usize, x: f64, angle: Option<f64>, last: &Cutting, borne: &Borne) -> Result<f64, Failure> {
+        if self.feedback.is_none() {
+            return Ok(0.0);
+        }
         (0..self.setup.passes.len())
-            .try_fold(blank, |error, number| Ok(self.deflect(i, &self.earlier(number, x, error, last))?.error))
+            .try_fold(self.met(x, angle), |error, number| Ok(self.pass(number, (i, x), error, last, borne)?.error))
+    }
+
+    /// The pass `number`, the last behind those before it, with the tool at a position of a number at x (m), where the work
+    /// is too large by an error (m).
+    ///
+    /// # Errors
+    /// The joints found no equilibrium.
+    pub fn pass(
+        &self,
+        number: usize,
+        (i, x): (usize, f64),
+        error: f64,
+        last: &Cutting,
+        borne: &Borne,
+    ) -> Result<Deflection, Failure> {
+        let at = match number < self.setup.passes.len() {
+            true => self.earlier(number, x, error, last, borne),
+            false => last.behind(borne).meeting(error),
+        };
+        self.deflect(i, &at)
     }
 
     /// The pass `number` before the last at x, where the work is too large by an error (m).
-    pub fn earlier(&self, number: usize, x: f64, error: f64, last: &Cutting) -> Cutting {
+    fn earlier(&self, number: usize, x: f64, error: f64, last: &Cutting, borne: &Borne) -> Cutting {
         let passes = &self.setup.passes;
         let later = passes[number + 1..].iter().map(|pass| pass.depth).sum::<f64>() + self.setup.cut.depth;
         let conditions = passes[number].conditions(x, error);
         let nose = Nose { across: last.nose.across - last.commanded, ..last.nose };
-        Cutting { conditions, diameter: last.diameter + 2.0 * later, nose, commanded: 0.0, ..*last }
+        let borne = borne.get(number).copied().unwrap_or_default();
+        Cutting { conditions, diameter: last.diameter + 2.0 * later, nose, commanded: 0.0, borne, ..*last }
     }
 
     /// The equilibrium with the tool at position number `i`.
@@ -153,7 +202,7 @@ impl<'a> Elastic<'a> {
         }
     }
 
-    /// The same under a given force (N) where every support stands in its place.
+    /// The same under a given force (N) where every support stands in its place and nothing rubs.
     ///
     /// # Errors
     /// The joints found no equilibrium.
@@ -161,22 +210,29 @@ impl<'a> Elastic<'a> {
         Ok(self.settled(i, force, None, None)?.supports)
     }
 
-    /// The joints under a given force, with supports that stand off by `displaced` (m) and rests out of line, or, where
-    /// that is `None`, with all of them in their places.
+    /// The joints where they bore so much before, N.
+    fn rubbing(&self, borne: [f64; 2]) -> [Rubbing<'a>; 2] {
+        [0, 1].map(|k| Rubbing::new(self.joints[k], self.friction[k], borne[k]))
+    }
+
+    /// The joints under a given force, with supports that stand off, rests out of line and friction as a cut has them, or,
+    /// where that is `None`, with all of them in their places and without it.
     fn settled(
         &self,
         i: usize,
         force: f64,
-        displaced: Option<[f64; 2]>,
+        at: Option<&Cutting>,
         near: Option<&Deflection>,
     ) -> Result<Settled, Failure> {
+        let displaced = at.map(|at| at.displacements);
+        let joints = at.map_or_else(|| self.joints.map(Rubbing::free), |at| self.rubbing(at.borne));
         let Some((constraint, bent)) = self.shaft.whole().filter(|_| !self.shaft.seats().is_empty()) else {
             let (influence, s) = (self.shaft.influence[i], &self.shaft.constraint);
             // A support that is moved leaves what it would take to move it back.
             let left = displaced.map_or([0.0; 2], |moved| {
                 [0, 1].map(|k| self.shaft.bent_forces[k] - s[k][0] * moved[0] - s[k][1] * moved[1])
             });
-            let supports = solve_joints(&self.joints, influence, s, (force, left), near.map(|d| &d.supports))?;
+            let supports = solve_joints(&joints, influence, s, (force, left), near.map(|d| &d.supports))?;
             return Ok(Settled { supports, seats: [[0.0; MOST_SEATS]; 2], gap: [0.0; 2] });
         };
         let influence = self.shaft.whole_influence(i);
@@ -192,7 +248,7 @@ impl<'a> Elastic<'a> {
             Some(base) => base.drawn.failure(error),
             None => error.into(),
         };
-        let all = solve_seated(&self.joints, self.shaft.seats(), &system, force, path.as_deref()).map_err(told)?;
+        let all = solve_seated(&joints, self.shaft.seats(), &system, force, path.as_deref()).map_err(told)?;
         let ends = |of: &[f64]| [of[0], of[1]];
         let seats = |of: &[f64]| std::array::from_fn(|k| of.get(2 + k).copied().unwrap_or(0.0));
         let gap = |of: &[f64]| influence[2..].iter().zip(&of[2..]).map(|(g, own)| g * own).sum::<f64>();
@@ -212,7 +268,7 @@ impl<'a> Elastic<'a> {
     /// The equilibrium under a given force, from that under a similar one if there is one.
     fn under(&self, i: usize, force: f64, at: &Cutting, near: Option<&Deflection>) -> Result<Deflection, Failure> {
         let (influence, displaced) = (self.shaft.influence[i], at.displacements);
-        let Settled { supports, seats, gap } = self.settled(i, force, Some(displaced), near)?;
+        let Settled { supports, seats, gap } = self.settled(i, force, Some(at), near)?;
         let [compliance, founded] = [self.shaft.compliance[i], self.shaft.foundation_compliance[i]];
         let [shaft, structure] = [compliance * force, founded * force + gap[0]];
         let (carriage, carriage_rate) = self.carriage.yield_under(force);
@@ -222,7 +278,9 @@ impl<'a> Elastic<'a> {
         let joints = influence[0] * rates[0] + influence[1] * rates[1] + gap[1];
         let rate = compliance + founded + joints + carriage_rate;
         let error = at.nose.error(at.diameter, total).0;
-        Ok(Deflection { force, supports, displaced, seats, shaft, structure, carriage, total, rate, error })
+        let rubbing = self.rubbing(at.borne);
+        let borne = [0, 1].map(|k| rubbing[k].bears(supports.forces[k]));
+        Ok(Deflection { force, supports, displaced, borne, seats, shaft, structure, carriage, total, rate, error })
     }
 
     /// Equilibrium with force feedback: a gap between nose and work takes depth off the cut, and the force with it, P =
@@ -274,6 +332,32 @@ impl<'a> Elastic<'a> {
             residual: force(high) - force(low),
         }
         .into())
+    }
+}
+
+/// The shaft as the machine holds it, condensed to tool positions in m.
+///
+/// # Errors
+/// An effect cannot be computed, the shaft is loose, or a position is off it.
+pub fn condense(machine: &Machine, positions: &[f64]) -> Result<Condensed, Failure> {
+    if let Some(failure) = &machine.failure {
+        return Err(failure.clone());
+    }
+    let shaft = machine.shaft();
+    let condensed = match machine.setup.foundation(positions) {
+        Some(foundation) => shaft.condense_on(positions, foundation),
+        None => shaft.condense(positions),
+    };
+    condensed.map_err(Failure::from)
+}
+
+impl From<ShaftError> for Failure {
+    fn from(error: ShaftError) -> Self {
+        let help = match error {
+            ShaftError::Loose { .. } => "give the shaft a stiffer support, or check its dimensions and stiffnesses",
+            ShaftError::OffTheShaft { .. } => "keep every position between the ends of the shaft",
+        };
+        Self { message: error.to_string(), help: help.into() }
     }
 }
 

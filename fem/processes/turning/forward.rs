@@ -6,37 +6,14 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::cut::Conditions;
-use super::elastic::{Cutting, Deflection, Elastic};
+use super::elastic::{Cutting, Deflection, Elastic, condense};
+use super::history::History;
 use super::machine::{Machine, Moment};
-use super::rows::{self, ANGLE, BLANK, CHANGE, DIAMETER, X};
+use super::rows::{ANGLE, BLANK, DIAMETER, X};
+use super::turned::{Histories, Turned};
 use crate::process::{Failure, Rows};
 use crate::progress::Progress;
-use crate::solve::{Condensed, Moved, ShaftError};
-
-/// The shaft as the machine holds it, condensed to tool positions in m.
-///
-/// # Errors
-/// An effect cannot be computed, the shaft is loose, or a position is off it.
-pub fn condense(machine: &Machine, positions: &[f64]) -> Result<Condensed, Failure> {
-    if let Some(failure) = &machine.failure {
-        return Err(failure.clone());
-    }
-    let shaft = machine.shaft();
-    let condensed = match machine.setup.foundation(positions) {
-        Some(foundation) => shaft.condense_on(positions, foundation),
-        None => shaft.condense(positions),
-    };
-    condensed.map_err(Failure::from)
-}
-
-/// The last pass on the mean of a round blank, at position number `i`, x (m), on a part.
-///
-/// # Errors
-/// No equilibrium.
-pub fn last_pass(machine: &Machine, elastic: &Elastic, i: usize, x: f64, part: usize) -> Result<Cutting, Failure> {
-    let last = Cutting::on_part(machine, part, x);
-    Ok(last.meeting(elastic.before(i, x, None, &last)?))
-}
+use crate::solve::{Condensed, Moved};
 
 /// The equilibrium of the last pass on the first part at each of the positions (m) to which the shaft is condensed.
 ///
@@ -58,9 +35,11 @@ fn on_part(
     part: usize,
     progress: &Progress,
 ) -> Result<Vec<Deflection>, Failure> {
+    let history = History::on_part(machine, part, None)?;
     let deflect = |(i, x): (usize, &f64)| {
-        let last = last_pass(machine, elastic, i, *x, part);
-        let deflection = last.and_then(|last| elastic.deflect(i, &last));
+        let (last, borne) = (Cutting::on_part(machine, part, *x), history.at(*x));
+        let met = elastic.before(i, *x, None, &last, borne);
+        let deflection = met.and_then(|met| elastic.pass(machine.setup.passes.len(), (i, *x), met, &last, borne));
         progress.advance(1);
         deflection
     };
@@ -132,15 +111,11 @@ fn observe_some(machine: &Machine, rows: &Rows, some: Range<usize>) -> Result<Ve
     let standing = Standing::of(machine, rows, some.clone())?;
     let elastic = Elastic::new(machine, &standing.shaft);
     let one = |row: usize| {
-        let left = |angle: Option<f64>| standing.deflection(&elastic, row, angle).map(|d| d.error);
         let set = if rows.observable[row] == DIAMETER { setup.diameter(standing.at(row)) } else { 0.0 };
-        // A diameter reaches from one side to the other.
-        let angle = rows.get(ANGLE, row).unwrap_or(0.0);
-        let error = match setup.blank.is_round() {
-            true => left(None)?,
-            false => 0.5 * (left(Some(angle))? + left(Some(angle + PI))?),
-        };
-        Ok(set + error)
+        let angles = angles(machine, rows, row);
+        let left = |angle: &Option<f64>| standing.deflection(&elastic, row, *angle).map(|d| d.error);
+        let sum = angles.iter().map(left).sum::<Result<f64, Failure>>()?;
+        Ok(set + sum / angles.len() as f64)
     };
     some.into_par_iter().with_min_len(256).map(one).collect()
 }
@@ -158,8 +133,7 @@ pub fn standing(
         let some = first..rows.len().min(first + BLOCK);
         let standing = Standing::of(machine, rows, some.clone())?;
         let elastic = Elastic::new(machine, &standing.shaft);
-        let angle = |row| (!machine.setup.blank.is_round()).then(|| rows.get(ANGLE, row).unwrap_or(0.0));
-        let deflect = |row| standing.deflection(&elastic, row, angle(row));
+        let deflect = |row| standing.deflection(&elastic, row, angles(machine, rows, row)[0]);
         let deflections = some.clone().into_par_iter().with_min_len(256).map(deflect).collect::<Result<Vec<_>, _>>()?;
         each(&some.map(|row| standing.at(row)).collect::<Vec<_>>(), &deflections)?;
     }
@@ -173,15 +147,21 @@ struct Standing<'a> {
     /// Sorted, m.
     positions: Vec<f64>,
     shaft: Condensed,
+    histories: Histories,
 }
 
 impl<'a> Standing<'a> {
     fn of(machine: &'a Machine, rows: &'a Rows, some: Range<usize>) -> Result<Self, Failure> {
-        let mut positions: Vec<f64> = some.map(|row| place(machine, rows, row)).collect();
+        let mut positions: Vec<f64> = some.clone().map(|row| place(machine, rows, row)).collect();
         positions.sort_unstable_by(f64::total_cmp);
         positions.dedup();
         let shaft = condense(machine, &positions)?;
-        Ok(Self { machine, rows, positions, shaft })
+        let turned = some.flat_map(|row| {
+            let turned = Turned::of(machine, rows, row, place(machine, rows, row));
+            angles(machine, rows, row).into_iter().map(move |angle| (turned, angle))
+        });
+        let histories = Histories::of(machine, turned)?;
+        Ok(Self { machine, rows, positions, shaft, histories })
     }
 
     fn at(&self, row: usize) -> f64 {
@@ -190,20 +170,23 @@ impl<'a> Standing<'a> {
 
     /// The last pass at a row, at an angle (rad) around the part or on the mean.
     fn deflection(&self, elastic: &Elastic, row: usize, angle: Option<f64>) -> Result<Deflection, Failure> {
-        let (setup, rows, x) = (&*self.machine.setup, self.rows, self.at(row));
+        let (machine, rows, x) = (self.machine, self.rows, self.at(row));
         let i = self.positions.partition_point(|p| *p < x);
-        let diameter = setup.diameter(x);
-        let part = rows::part(rows, row);
-        let (time, path) = rows::moment(setup, rows, row, part, x);
-        let conditions = rows::conditions(setup, rows, row, diameter);
-        let last = Cutting::new(self.machine, &Moment { x, diameter, part, time, path }, conditions)
-            .programmed(rows.get(CHANGE, row).unwrap_or(0.0));
+        let turned = Turned::of(machine, rows, row, x);
+        let (last, borne) = (turned.cutting(machine), self.histories.at(machine, &turned, angle));
         let met = match rows.get(BLANK, row) {
             Some(_) => 0.0,
-            None => elastic.before(i, x, angle, &last)?,
+            None => elastic.before(i, x, angle, &last, borne)?,
         };
-        elastic.deflect(i, &last.meeting(met))
+        elastic.pass(machine.setup.passes.len(), (i, x), met, &last, borne)
     }
+}
+
+/// The angles (rad) around the part at which the diameter of a row ends: a diameter reaches from one side to the other.
+/// Of a round blank it is the mean.
+fn angles(machine: &Machine, rows: &Rows, row: usize) -> Vec<Option<f64>> {
+    let angle = rows.get(ANGLE, row).unwrap_or(0.0);
+    if machine.setup.blank.is_round() { vec![None] } else { vec![Some(angle), Some(angle + PI)] }
 }
 
 /// Where the tool stands at a row, m.
@@ -221,14 +204,4 @@ pub fn rest_forces(machine: &Machine, positions: &[f64], deflections: &[Deflecti
     }
     let tools: Vec<(f64, Moved)> = deflections.iter().map(|d| (d.force, d.moved())).collect();
     Ok(condense(machine, positions)?.rest_forces(&machine.shaft(), &tools))
-}
-
-impl From<ShaftError> for Failure {
-    fn from(error: ShaftError) -> Self {
-        let help = match error {
-            ShaftError::Loose { .. } => "give the shaft a stiffer support, or check its dimensions and stiffnesses",
-            ShaftError::OffTheShaft { .. } => "keep every position between the ends of the shaft",
-        };
-        Self { message: error.to_string(), help: help.into() }
-    }
 }

@@ -40,7 +40,7 @@ pub struct Renewal {
     pub share: f64,
 }
 
-/// A support of the shaft whose place effects move.
+/// A support of the shaft whose place effects move, or beside which friction holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Support {
     /// At x = 0.
@@ -87,6 +87,8 @@ pub struct Machine {
     pub carriage: Joint,
     /// Rotation at the headstock.
     pub hold: Hold,
+    /// Dry friction beside the joints of headstock and tailstock, N.
+    pub friction: [f64; 2],
     /// Displacements of headstock and tailstock away from the tool, m.
     displaced: [Vec<Shift>; 2],
     /// Displacement of all steady rests out of line besides their own offsets, m.
@@ -120,6 +122,7 @@ impl Machine {
             tailstock,
             carriage,
             hold,
+            friction: [0.0; 2],
             displaced: [Vec::new(), Vec::new()],
             rests_offset: 0.0,
             feedback: None,
@@ -207,6 +210,13 @@ impl Machine {
         let mut shaft = self.setup.shaft(self.hold);
         shaft.rests.iter_mut().for_each(|rest| rest.offset += self.rests_offset);
         shaft
+    }
+
+    /// Whether friction holds a joint that yields: what it has been through then counts.
+    pub fn rubs(&self) -> bool {
+        let yields = |joint: &Joint| joint.spring_compliance > 0.0 || !joint.contacts.is_empty();
+        let joints = [&self.headstock, &self.tailstock];
+        joints.iter().zip(self.friction).any(|(joint, friction)| friction > 0.0 && yields(joint))
     }
 
     /// Whether the deflection changes the force.

@@ -14,6 +14,7 @@ mod events;
 mod experiments;
 pub(crate) mod forward;
 mod heating;
+mod history;
 mod imported;
 mod lift_off;
 mod log;
@@ -27,8 +28,10 @@ pub(crate) mod rows;
 pub(crate) mod schedule;
 mod setup;
 mod tolerance;
+mod turned;
 
-pub use forward::{condense, deflections};
+pub use elastic::condense;
+pub use forward::deflections;
 pub use machine::Machine;
 pub use setup::Setup;
 

@@ -6,8 +6,8 @@
 //! diameter along the pass. Of what is inherited, apart from what each pass bends anew, a system of
 //! stiffness j leaves C/(j + C), C the force per depth [seed 002 (27)].
 
-use super::elastic::{Cutting, Elastic};
-use super::forward::condense;
+use super::elastic::{Cutting, Elastic, condense};
+use super::history::History;
 use super::machine::Machine;
 use super::rows::{COORDINATES, X};
 use crate::process::{Column, Datum, Failure, Figure, Table, spread};
@@ -47,7 +47,7 @@ impl Refinement {
             return Ok(None);
         }
         let shaft = condense(machine, positions)?;
-        let elastic = Elastic::new(machine, &shaft);
+        let (elastic, history) = (Elastic::new(machine, &shaft), History::on_part(machine, 1, None)?);
         let length = setup.length();
         let mut passes: Vec<Report> = Vec::new();
         let mut errors: Vec<f64> = positions.iter().map(|x| setup.blank.error(*x, length)).collect();
@@ -57,10 +57,7 @@ impl Refinement {
         for number in 0..=setup.passes.len() {
             let pass = |i: usize, error: f64| {
                 let x = positions[i];
-                let last = Cutting::on_part(machine, 1, x);
-                let is_last = number == setup.passes.len();
-                let at = if is_last { last.meeting(error) } else { elastic.earlier(number, x, error, &last) };
-                elastic.deflect(i, &at)
+                elastic.pass(number, (i, x), error, &Cutting::on_part(machine, 1, x), history.at(x))
             };
             let mut report = Report {
                 depth: setup.passes.get(number).map_or(setup.cut.depth, |pass| pass.depth),

@@ -35,7 +35,48 @@ pub fn cases() -> Vec<Case> {
             ));
         }
     }
+    cases.extend(rubbing());
     cases
+}
+
+/// Friction of 60 N beside springs of 50 N/um under 400 N: by statics Q = P·x/L at the tailstock and P·(1 − x/L) at the
+/// headstock, what the springs bear S = Q ± f by hand, and ΔD = 2·(S − Q)/k·(lever) beside what springs alone leave.
+fn rubbing() -> Vec<Case> {
+    let springs = "[headstock-compliance]\nstiffness = \"50 N/um\"\n[tailstock-compliance]\nstiffness = \"50 N/um\"\n";
+    let along = |effects: &str, pass: &str| {
+        let text = UNIFORM.replace("HELD", "centres").replace("cut = { ", &format!("cut = {{ {pass}"));
+        profile(&lathe(&(text + "sweep = { positions = 11 }\n"), effects))
+    };
+    let rising = "from = \"0 mm\", to = \"500 mm\", ";
+    // What the springs bear beyond Q at x = 0, L/5, 2L/5 … L, N. The pass before left 60 N at the end that the tool comes to
+    // last, and at that where it enters 60 N less than all of it.
+    let tables = [
+        ("tailstock, toward the headstock", "tailstock", "", [60.0, 60.0, 60.0, 60.0, 20.0, -60.0]),
+        ("headstock, toward the headstock", "headstock", "", [-60.0, -60.0, -60.0, -60.0, -20.0, 60.0]),
+        ("tailstock, toward the tailstock", "tailstock", rising, [60.0, -20.0, -60.0, -60.0, -60.0, -60.0]),
+        ("headstock, toward the tailstock", "headstock", rising, [-60.0, 20.0, 60.0, 60.0, 60.0, 60.0]),
+    ];
+    let case = |(name, unit, pass, beyond): (&str, &str, &str, [f64; 6])| -> Vec<Case> {
+        let rubs = along(&format!("{springs}[{unit}-friction]\nforce = \"60 N\""), pass);
+        let free = along(springs, pass);
+        let one = |(i, beyond): (usize, f64)| {
+            let share = i as f64 / 5.0;
+            let lever = if unit == "tailstock" { share } else { 1.0 - share };
+            let computed =
+                rubs.get(2 * i).zip(free.get(2 * i)).map_or(f64::NAN, |(with, without)| 1e6 * (with - without));
+            let expected = 2e6 * beyond / 50e6 * lever;
+            let tolerance = Tolerance::Absolute(1e-9);
+            row(
+                format!("friction at the {name}, x = {share} L"),
+                "change of diameter",
+                (expected, computed, "um"),
+                tolerance,
+                "play operator",
+            )
+        };
+        beyond.into_iter().enumerate().map(one).collect()
+    };
+    tables.into_iter().flat_map(case).collect()
 }
 
 /// A cantilever whose free end rests on a spring and a contact in series: R closes the gap, R·L³/3EI + c·Rⁿ

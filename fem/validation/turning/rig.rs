@@ -2,9 +2,10 @@
 
 use crate::process::{Assembled, ForwardModel, Rows, Values, assembled};
 use crate::processes::turning::Turning;
+use crate::processes::turning::condense;
 use crate::processes::turning::cut::Conditions;
 use crate::processes::turning::elastic::{Cutting, Elastic};
-use crate::processes::turning::forward::{condense, unloaded};
+use crate::processes::turning::forward::unloaded;
 use crate::processes::turning::rows::{COORDINATES, X};
 use crate::progress::Progress;
 pub(super) use crate::validation::bench::{bisect, row};

@@ -88,6 +88,8 @@ pub const WEIGHTS: &[(&str, f64, &str)] = &[
     // Joints under load; fixtures share the contact and, with shafts, the feedback.
     ("gap", OFTEN, "joints have play unless they are preloaded"),
     ("contact-joint", ALWAYS, "rough surfaces touch in every joint"),
+    ("headstock-friction", SELDOM, "clamped joints hardly slide under a finishing cut"),
+    ("tailstock-friction", SELDOM, "clamped joints hardly slide under a finishing cut"),
     ("dry-friction", OFTEN, "surfaces that slide rub"),
     ("preload", SOMETIMES, "bearings and screws are preloaded"),
     ("settling", OFTEN, "joints settle under their first load"),

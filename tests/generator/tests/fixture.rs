@@ -117,7 +117,7 @@ mod milled {
     use generator::law::Cause;
 
     fn row(x: f64, depth: f64, blank: f64, y: f64) -> Row {
-        Row { change: 0.0, part: 500, group: 0, x, clamp_force: 4000.0, depth, blank, y }
+        Row { site: [0, 0], change: 0.0, part: 500, group: 0, x, clamp_force: 4000.0, depth, blank, y }
     }
 
     fn job(rows: Vec<Row>) -> Job {
@@ -131,6 +131,8 @@ mod milled {
             clamps: vec![50.0, 350.0],
             clamp_force: 4000.0,
             cutter: Some(Cutter { force: 300.0, depth: Some(1.0), diameter: Some(100.0) }),
+            places: Vec::new(),
+            pallets: Vec::new(),
             press: None,
             rows,
             noise: NoiseKind::Neither,

@@ -2,7 +2,7 @@
 //!
 //! Rough surfaces in contact approach by y = c·Qⁿ under the reaction Q, n < 1: much at first, little later
 //! [seed 002 (29)]. In series with the spring of the joint. c in m/Nⁿ, n in (0, 1]. The joint presses only:
-//! for Q ≤ 0 it does not move, and a reaction that would have to pull is reported. Left out: hysteresis.
+//! for Q ≤ 0 it does not move, and a reaction that would have to pull is reported. Friction beside it: `headstock-friction`.
 
 use super::super::machine::{Effect, Machine};
 use super::super::setup::Setup;

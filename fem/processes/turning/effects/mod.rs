@@ -12,6 +12,7 @@ mod guideway_taper;
 mod guideway_wear;
 mod insert_change;
 mod joint_contact;
+mod joint_friction;
 mod offset_correction;
 mod rest_offset;
 mod setting_error;
@@ -38,6 +39,8 @@ pub const ALL: &[&dyn CatalogueEffect<Setup, Machine>] = &[
     &joint_contact::HEADSTOCK,
     &joint_contact::TAILSTOCK,
     &joint_contact::CARRIAGE,
+    &joint_friction::HEADSTOCK,
+    &joint_friction::TAILSTOCK,
     &chuck_tilt::CHUCK_TILT,
     &force_feedback::FORCE_FEEDBACK,
     &tool_wear::TOOL_WEAR,

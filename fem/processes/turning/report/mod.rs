@@ -13,8 +13,8 @@ mod structure;
 
 use self::compliance::Compliance;
 use self::roundness::Roundness;
-use super::elastic::Deflection;
-use super::forward::{condense, deflections};
+use super::elastic::{Deflection, condense};
+use super::forward::deflections;
 use super::lift_off::LiftOff;
 use super::machine::Machine;
 use super::refinement::Refinement;

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use super::super::elastic::{Cutting, Elastic};
-use super::super::forward::condense;
+use super::super::elastic::{Cutting, Elastic, condense};
+use super::super::history::History;
 use super::super::machine::Machine;
 use crate::process::{Column, Failure, Figure, Table, first_extreme, range, spread};
 use crate::units::{LENGTH, MICRO};
@@ -39,11 +39,14 @@ impl Roundness {
         let angles: Vec<f64> = (0..count).map(|i| TAU * i as f64 / count as f64).collect();
         let shaft = condense(machine, positions)?;
         let elastic = Elastic::new(machine, &shaft);
+        let histories = angles.iter().map(|angle| History::on_part(machine, 1, Some(*angle)));
+        let histories = histories.collect::<Result<Vec<_>, Failure>>()?;
         let section = |(i, x): (usize, &f64)| -> Result<(f64, (f64, f64)), Failure> {
             let last = Cutting::on_part(machine, 1, *x);
-            let around = angles.iter().map(|angle| -> Result<(f64, f64), Failure> {
-                let met = elastic.before(i, *x, Some(*angle), &last)?;
-                let deflection = elastic.deflect(i, &last.meeting(met))?;
+            let around = angles.iter().zip(&histories).map(|(angle, history)| -> Result<(f64, f64), Failure> {
+                let borne = history.at(*x);
+                let met = elastic.before(i, *x, Some(*angle), &last, borne)?;
+                let deflection = elastic.pass(setup.passes.len(), (i, *x), met, &last, borne)?;
                 Ok((0.5 * deflection.error, deflection.force))
             });
             let (radii, forces): (Vec<f64>, Vec<f64>) =

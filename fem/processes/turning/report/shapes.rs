@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use super::super::elastic::{Cutting, Deflection, Elastic};
-use super::super::forward::{condense, deflections, rest_forces};
+use super::super::elastic::{Cutting, Deflection, Elastic, condense};
+use super::super::forward::{deflections, rest_forces};
+use super::super::history::History;
 use super::super::machine::Machine;
 use super::super::setup::Setup;
 use super::bodies::Bodies;
@@ -82,7 +83,7 @@ struct Pass {
 fn passes(machine: &Machine, forward: &Forward, tools: &[f64]) -> Result<Vec<Pass>, Failure> {
     let setup = &machine.setup;
     let shaft = condense(machine, tools)?;
-    let elastic = Elastic::new(machine, &shaft);
+    let (elastic, history) = (Elastic::new(machine, &shaft), History::on_part(machine, 1, None)?);
     let travel = (setup.schedule.pass.to - setup.schedule.pass.from).abs();
     let ordered = |errors: &[f64]| {
         let mut pairs: Vec<(f64, f64)> = tools.iter().copied().zip(errors.iter().copied()).collect();
@@ -95,13 +96,10 @@ fn passes(machine: &Machine, forward: &Forward, tools: &[f64]) -> Result<Vec<Pas
     let (mut passes, mut begin) = (Vec::new(), 0.0);
     for (number, earlier) in setup.passes.iter().enumerate() {
         let before = ordered(&errors);
-        let found: Result<Vec<Deflection>, _> = (0..tools.len())
-            .map(|i| {
-                elastic
-                    .deflect(i, &elastic.earlier(number, tools[i], errors[i], &Cutting::on_part(machine, 1, tools[i])))
-            })
-            .collect();
-        let deflections = found?;
+        let pass = |(i, x): (usize, &f64)| {
+            elastic.pass(number, (i, *x), errors[i], &Cutting::on_part(machine, 1, *x), history.at(*x))
+        };
+        let deflections = tools.iter().enumerate().map(pass).collect::<Result<Vec<Deflection>, _>>()?;
         errors = deflections.iter().map(|d| d.error).collect();
         let duration = earlier.duration(travel);
         let times = tools.iter().map(|x| begin + duration * (x - tools[0]).abs() / travel).collect();

@@ -1,7 +1,6 @@
 //! The lathe to scale: the shaft in its supports, bent where the tool bends the system most.
 
-use super::super::elastic::Deflection;
-use super::super::forward::condense;
+use super::super::elastic::{Deflection, condense};
 use super::super::machine::Machine;
 use super::structure;
 use crate::joint::Joint;

@@ -1,4 +1,4 @@
-//! The 26 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
+//! The 28 effects of turning: their parameters, plausible sizes, and which lathe and workholding admits them.
 
 use super::job::{Holding, Job};
 use crate::law::{Law, Parameter, Role};
@@ -54,6 +54,8 @@ const REST: &[Parameter] = &[Parameter("offset", "um", 5.0, 30.0, Role::Signed)]
 
 const PLAY: &[Parameter] = &[Parameter("gap", "um", 2.0, 20.0, Role::Amplitude)];
 
+const FRICTION: &[Parameter] = &[Parameter("force", "N", 10.0, 60.0, Role::Amplitude)];
+
 /// The number of the part is drawn from those of the batch.
 const CORRECTION: &[Parameter] =
     &[Parameter("after", "", 1.0, 7.0, Role::Shape), Parameter("diameter", "um", 5.0, 40.0, Role::Signed)];
@@ -89,11 +91,13 @@ pub const LAWS: &[Law] = &[
     ("rest-offset", REST),
     ("cross-slide-play", PLAY),
     ("insert-change", INSERT),
+    ("headstock-friction", FRICTION),
+    ("tailstock-friction", FRICTION),
 ];
 /// How many any lathe has.
 const USUAL: usize = 19;
-/// How many need what few jobs have: a rest, a shoulder, wear that is known.
-const OF_SOME: usize = 3;
+/// How many need what few jobs have: a rest, a shoulder, wear that is known, places where the pass begins.
+const OF_SOME: usize = 5;
 /// Those that any lathe has.
 pub const OF_ANY: &[Law] = LAWS.split_at(USUAL).0;
 /// Those of which nothing is known unless edge and bed were measured.
@@ -107,6 +111,7 @@ pub fn admits(job: &Job, effect: &str) -> bool {
     match effect {
         "rest-offset" => !job.set_up.rests.is_empty(),
         "insert-change" => job.parts > 1,
+        "headstock-friction" | "tailstock-friction" => job.holding != Holding::Chuck,
         "cross-slide-play" => job.rows.iter().any(|row| job.has_climbed(row.x)),
         _ => is_known && holds(job.holding, effect),
     }
@@ -114,6 +119,12 @@ pub fn admits(job: &Job, effect: &str) -> bool {
 
 /// What wears the edge.
 pub const WEARS: [&str; 3] = ["tool-wear", "tool-breakdown", "wear-land"];
+
+/// Whether an effect lets the joint yield beside which another rubs.
+pub fn yields_beside(friction: &str, effect: &str) -> bool {
+    let yields = [effect.strip_suffix("compliance"), effect.strip_suffix("contact")];
+    yields.contains(&friction.strip_suffix("friction"))
+}
 
 /// Whether a workholding admits the effect.
 pub fn holds(holding: Holding, effect: &str) -> bool {

@@ -10,6 +10,7 @@
 use super::held::{Held, Root, Support};
 use super::job::{Holding, Job, Row};
 use super::movers::{Mover, movers};
+use super::rubbing;
 use super::set_up::Rest;
 use crate::dense::root;
 use crate::law::{Cause, value};
@@ -38,17 +39,30 @@ struct Cut {
 }
 
 /// A row with all that moves in it but by force.
-struct At<'a> {
+pub struct At<'a> {
     held: &'a Held,
     carriage: &'a Carriage,
     imposed: Vec<f64>,
     mover: Mover,
+    /// Friction of every support and what its joint bore before, N; none where nothing rubs.
+    rubs: Option<(Vec<f64>, Vec<f64>)>,
 }
 
 impl At<'_> {
+    /// The same where supports rub with up to `most` (N), the headstock first.
+    pub fn rub(&mut self, most: [f64; 2]) {
+        let mut all = vec![0.0; self.imposed.len()];
+        all.iter_mut().zip(most).for_each(|(all, most)| *all = most);
+        self.rubs = Some((all.clone(), vec![0.0; all.len()]));
+    }
+
     /// Radius left less that of the diameter `d` to which the nose is set, um.
     fn leaves(&self, force: f64, d: f64) -> f64 {
-        let across = self.held.goes(force, &self.imposed) + self.carriage.gives(force) + self.mover.across;
+        let goes = match &self.rubs {
+            Some((most, borne)) => self.held.rubs(force, &self.imposed, most, borne).0,
+            None => self.held.goes(force, &self.imposed),
+        };
+        let across = goes + self.carriage.gives(force) + self.mover.across;
         // R² − (D/2)² over R + D/2, which loses no digits.
         let square = across * (d + across) + self.mover.up * self.mover.up;
         square / ((0.5 * d + across).hypot(self.mover.up) + 0.5 * d)
@@ -56,15 +70,29 @@ impl At<'_> {
 
     /// Radius left less that of `d` after a cut, um; that of the blank where the nose does not reach it.
     fn after(&self, cut: &Cut, d: f64) -> f64 {
-        let Some(exponent) = cut.exponent else { return self.leaves(cut.force, d) };
-        if cut.set - self.leaves(0.0, d) <= 0.0 {
+        if cut.exponent.is_some() && cut.set - self.leaves(0.0, d) <= 0.0 {
             return cut.set;
+        }
+        self.leaves(self.force(cut, d), d)
+    }
+
+    /// What the joints bear in a cut, N.
+    fn bears(&self, cut: &Cut, d: f64) -> Vec<f64> {
+        let Some((most, borne)) = &self.rubs else { return Vec::new() };
+        self.held.rubs(self.force(cut, d), &self.imposed, most, borne).1
+    }
+
+    /// The force of a cut, N; none where the nose does not reach the blank.
+    fn force(&self, cut: &Cut, d: f64) -> f64 {
+        let Some(exponent) = cut.exponent else { return cut.force };
+        if cut.set - self.leaves(0.0, d) <= 0.0 {
+            return 0.0;
         }
         let makes = |force: f64| {
             let depth = (cut.set - self.leaves(force, d)).max(0.0);
             cut.force * (depth / cut.nominal).powf(exponent)
         };
-        self.leaves(root(0.0, makes(0.0), |force| force - makes(force)), d)
+        root(0.0, makes(0.0), |force| force - makes(force))
     }
 }
 
@@ -98,6 +126,20 @@ fn carriage(job: &Job, causes: &[Cause]) -> Carriage {
 
 /// Diameter error of every row, um.
 pub fn errors(job: &Job, causes: &[Cause]) -> Vec<f64> {
+    let most = ["headstock-friction", "tailstock-friction"].map(|effect| value(causes, effect, "force"));
+    if most != [None; 2] {
+        return rubbing::errors(job, causes, most.map(|most| most.unwrap_or(0.0)));
+    }
+    let none = &mut Vec::new();
+    at_rows(job, causes, |row, at, exponent, angle| one_side(job, row, at, exponent, (angle, none)))
+}
+
+/// Diameter error of every row, um, by what is left at it on one side.
+pub fn at_rows(
+    job: &Job,
+    causes: &[Cause],
+    mut one_side: impl FnMut(&Row, &mut At, Option<f64>, f64) -> f64,
+) -> Vec<f64> {
     let (root, supports) = supports(job, causes);
     let carriage = carriage(job, causes);
     let exponent = value(causes, "force-feedback", "exponent");
@@ -115,25 +157,43 @@ pub fn errors(job: &Job, causes: &[Cause]) -> Vec<f64> {
             imposed.push(offset);
         }
         imposed.extend(job.set_up.rests.iter().map(|rest| rest.offset + out_of_line));
-        let at = At { held: &places[known].1, carriage: &carriage, imposed, mover };
+        let mut at = At { held: &places[known].1, carriage: &carriage, imposed, mover, rubs: None };
         // Across a diameter the radius is what two opposite angles leave.
         let sides = if job.set_up.lobes.is_empty() { vec![0.0] } else { vec![0.0, 180.0] };
         let count = sides.len() as f64;
-        let left: f64 = sides.iter().map(|turned| one_side(job, row, &at, exponent, row.angle + turned)).sum();
+        let left: f64 = sides.iter().map(|turned| one_side(row, &mut at, exponent, row.angle + turned)).sum();
         errors.push(2.0 * left / count);
     }
     errors
 }
 
-/// Radius left less the set one at an angle (deg) of the part, after all passes, um.
-fn one_side(job: &Job, row: &Row, at: &At, exponent: Option<f64>, angle: f64) -> f64 {
+/// Radius left less the set one at an angle (deg) of the part, after all passes, um. Where supports rub, `borne` is what
+/// their joints bore in every pass, and bear then.
+pub fn one_side(
+    job: &Job,
+    row: &Row,
+    at: &mut At,
+    exponent: Option<f64>,
+    (angle, borne): (f64, &mut Vec<Vec<f64>>),
+) -> f64 {
+    let mut after = |at: &mut At, number: usize, cut: &Cut, d: f64| {
+        if let (Some((_, before)), Some(borne)) = (&mut at.rubs, borne.get(number)) {
+            before.clone_from(borne);
+        }
+        if let Some(borne) = borne.get_mut(number) {
+            *borne = at.bears(cut, d);
+        }
+        at.after(cut, d)
+    };
+    let passes = job.set_up.passes.len();
     let finished = job.shaft.diameter(row.x);
     let last = |set: f64| Cut { set, nominal: 1e3 * job.depth, force: row.force, exponent };
     // The programme of the last pass alone is another one.
     let mover = Mover { across: at.mover.across + row.radius_change, ..at.mover };
-    let commanded = At { held: at.held, carriage: at.carriage, imposed: at.imposed.clone(), mover };
+    let (held, carriage, imposed, rubs) = (at.held, at.carriage, at.imposed.clone(), at.rubs.clone());
+    let commanded = &mut At { held, carriage, imposed, mover, rubs };
     if let Some(blank) = row.blank {
-        return commanded.after(&last(1e3 * 0.5 * (blank - finished)), 1e3 * finished);
+        return after(commanded, passes, &last(1e3 * 0.5 * (blank - finished)), 1e3 * finished);
     }
     // By how much the radius is too large before a pass.
     let mut left = job.set_up.blank_error(row.x, job.shaft.length(), angle);
@@ -141,8 +201,8 @@ fn one_side(job: &Job, row: &Row, at: &At, exponent: Option<f64>, angle: f64) ->
     for (number, pass) in job.set_up.passes.iter().enumerate() {
         let depth = 1e3 * pass.depth;
         let cut = Cut { set: depth + left, nominal: depth, force: pass.force, exponent };
-        left = at.after(&cut, 1e3 * (finished + 2.0 * later(number + 1)));
+        left = after(at, number, &cut, 1e3 * (finished + 2.0 * later(number + 1)));
     }
     let set = row.depth.unwrap_or(job.depth);
-    commanded.after(&last(1e3 * set + left), 1e3 * finished)
+    after(commanded, passes, &last(1e3 * set + left), 1e3 * finished)
 }

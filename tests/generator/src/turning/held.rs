@@ -93,14 +93,71 @@ impl Held {
     /// How far the shaft goes away from the tool that presses with `force`, its supports moved by `imposed`,
     /// um.
     pub fn goes(&self, force: f64, imposed: &[f64]) -> f64 {
-        let sunk = self.sunk(force, imposed);
+        self.goes_held_back(force, imposed, &vec![0.0; self.supports.len()])
+    }
+
+    /// The same where friction bears so much of the reaction of each support beside its joint, N.
+    fn goes_held_back(&self, force: f64, imposed: &[f64], friction: &[f64]) -> f64 {
+        let imposed = &self.sprung(imposed, friction)[..];
+        let sunk = self.sunk(force, imposed, friction);
         let moved: f64 = self.carried.iter().zip(imposed).zip(&sunk).map(|((c, u), d)| c * (u + d)).sum();
         force * self.here + moved
     }
 
     /// Reactions towards the tool, N.
     pub fn reactions(&self, force: f64, imposed: &[f64]) -> Vec<f64> {
-        self.borne_at(force, imposed, &self.sunk(force, imposed))
+        let none = vec![0.0; self.supports.len()];
+        self.borne_at(force, imposed, &self.sunk(force, imposed, &none))
+    }
+
+    /// How far the shaft goes away under a force where each support rubs with up to `most` (N) and its joint bore `borne`
+    /// (N) before; and what the joints bear then.
+    ///
+    /// Friction bears what keeps a joint as it is, as far as it can: the first that rubs is looked for along its friction,
+    /// the others at rest for it.
+    pub fn rubs(&self, force: f64, imposed: &[f64], most: &[f64], borne: &[f64]) -> (f64, Vec<f64>) {
+        let mut friction = vec![0.0; self.supports.len()];
+        let rubbing: Vec<usize> = (0..friction.len()).filter(|i| most[*i] > 0.0).collect();
+        self.hold_back(&rubbing, force, imposed, (most, borne), &mut friction);
+        (self.goes_held_back(force, imposed, &friction), self.joints(force, imposed, &friction))
+    }
+
+    fn hold_back(
+        &self,
+        rubbing: &[usize],
+        force: f64,
+        imposed: &[f64],
+        (most, borne): (&[f64], &[f64]),
+        friction: &mut [f64],
+    ) {
+        let Some((&first, others)) = rubbing.split_first() else { return };
+        // What the joint would bear beyond what it bore: the more friction, the less.
+        let beyond = |held: f64, friction: &mut [f64]| {
+            friction[first] = held;
+            self.hold_back(others, force, imposed, (most, borne), friction);
+            self.joints(force, imposed, friction)[first] - borne[first]
+        };
+        let most = most[first];
+        if beyond(most, friction) > 0.0 || beyond(-most, friction) < 0.0 {
+            let held = if beyond(most, friction) > 0.0 { most } else { -most };
+            beyond(held, friction);
+            return;
+        }
+        let held = root(-most, most, |held| -beyond(held, &mut friction.to_vec()));
+        beyond(held, friction);
+    }
+
+    /// What the joints bear, N.
+    fn joints(&self, force: f64, imposed: &[f64], friction: &[f64]) -> Vec<f64> {
+        let imposed = &self.sprung(imposed, friction)[..];
+        let all = self.borne_at(force, imposed, &self.sunk(force, imposed, friction));
+        all.iter().zip(friction).map(|(q, held)| q - held).collect()
+    }
+
+    /// The springs are in the shaft's answer with the whole reaction: friction takes its part back.
+    fn sprung(&self, imposed: &[f64], friction: &[f64]) -> Vec<f64> {
+        let all = imposed.iter().zip(friction).zip(&self.supports);
+        all.map(|((moved, held), support)| moved - held * support.compliance).collect()
     }
 
     fn borne_at(&self, force: f64, imposed: &[f64], sunk: &[f64]) -> Vec<f64> {
@@ -110,23 +167,23 @@ impl Held {
 
     /// How far each support sinks in its contact: the first contact is looked for along its reaction with the
     /// others at rest for it, one inside the other.
-    fn sunk(&self, force: f64, imposed: &[f64]) -> Vec<f64> {
+    fn sunk(&self, force: f64, imposed: &[f64], friction: &[f64]) -> Vec<f64> {
         let mut sunk = vec![0.0; self.supports.len()];
         let contacts: Vec<usize> =
             (0..sunk.len()).filter(|i| self.supports[*i].contact.is_some_and(|(c, _)| c > 0.0)).collect();
-        self.settle(&contacts, force, imposed, &mut sunk);
+        self.settle(&contacts, force, (imposed, friction), &mut sunk);
         sunk
     }
 
-    fn settle(&self, contacts: &[usize], force: f64, imposed: &[f64], sunk: &mut [f64]) {
+    fn settle(&self, contacts: &[usize], force: f64, (imposed, friction): (&[f64], &[f64]), sunk: &mut [f64]) {
         let Some((&first, others)) = contacts.split_first() else { return };
         let Some((c, n)) = self.supports[first].contact else { return };
         let sinks = |q: f64| if q > 0.0 { c * q.powf(n) } else { 0.0 };
         // What the contact bears once it has sunk under `q`; the more it sinks the less.
         let bears = |q: f64, sunk: &mut [f64]| {
             sunk[first] = sinks(q);
-            self.settle(others, force, imposed, sunk);
-            self.borne_at(force, imposed, sunk)[first]
+            self.settle(others, force, (imposed, friction), sunk);
+            self.borne_at(force, imposed, sunk)[first] - friction[first]
         };
         let most = bears(0.0, sunk);
         if most > 0.0 {

@@ -12,6 +12,7 @@ pub mod heat;
 pub mod held;
 pub mod job;
 pub mod movers;
+pub mod rubbing;
 pub mod scenes;
 pub mod set_up;
 pub mod shaft;
@@ -88,7 +89,14 @@ impl crate::job::Job for Job {
     fn admits(&self, effect: &str, causes: &[Cause]) -> bool {
         // A new insert is felt by the wear of the old one.
         let has_worn = || causes.iter().any(|cause| catalogue::WEARS.contains(&cause.effect));
-        admits(self, effect) && (effect != "insert-change" || has_worn())
+        // Friction is felt by the joint beside it.
+        let yields = || causes.iter().any(|cause| catalogue::yields_beside(effect, cause.effect));
+        let acts = match effect {
+            "insert-change" => has_worn(),
+            "headstock-friction" | "tailstock-friction" => yields(),
+            _ => true,
+        };
+        admits(self, effect) && acts
     }
 
     fn length(&self) -> f64 {

@@ -77,7 +77,10 @@ fn law<'a>(job: &'a Job, edge: &'a Edge, effect: &str, size: &'a dyn Fn(&str) ->
         // [002 (31)(32)]: run-in that saturates, then a rate; the blunt tool leaves more.
         "tool-wear" => across(move |row| {
             edge.worn(row, |path| {
-                size("run_in") * (1.0 - (-path / size("run_in_path")).exp()) + size("rate") * path * 1e-3
+                // An edge that does not run in has no path on which it does.
+                let run_in = size("run_in");
+                let ran_in = if run_in == 0.0 { 0.0 } else { run_in * (1.0 - (-path / size("run_in_path")).exp()) };
+                ran_in + size("rate") * path * 1e-3
             })
         }),
         // The third period: nothing up to its onset, then a power of the path beyond, in km.

@@ -1,7 +1,7 @@
 //! Small jobs in which any two effects may meet: every way of holding, with and without a steady rest that
 //! stands out of line, and what a machine or a blank may be besides.
 
-use super::catalogue::{LAWS, WEARS, admits};
+use super::catalogue::{LAWS, WEARS, admits, yields_beside};
 use super::design::STEEL;
 use super::job::{Holding, Job, Row, Survey};
 use super::set_up::{Holder, Lobe, Pass, Rest, SetUp, Wave};
@@ -70,6 +70,12 @@ pub fn draw(scene: usize, effects: &[&'static str], random: &mut Random) -> Opti
     }
     if effects.contains(&"insert-change") && !effects.iter().any(|effect| WEARS.contains(effect)) {
         job.shown.push(WORN);
+    }
+    // Friction is felt by the joint beside it.
+    let present = || effects.iter().copied().chain(job.shown.iter().map(|shown| shown.effect));
+    let is_idle = |effect: &&str| effect.ends_with("-friction") && !present().any(|other| yields_beside(effect, other));
+    if effects.iter().any(is_idle) {
+        return None;
     }
     job.shown.retain(|shown| !effects.contains(&shown.effect) && admits(&job_of(holding), shown.effect));
     effects.iter().all(|effect| LAWS.iter().any(|law| law.0 == *effect) && admits(&job, effect)).then_some(job)
