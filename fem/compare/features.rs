@@ -158,11 +158,12 @@ impl NullDistribution {
         let square = (z.iter().map(|z| z * z).sum::<f64>() / z.len() as f64).max(1.0);
         let scale = square.sqrt();
         z.iter_mut().for_each(|z| *z /= scale);
+        let order = by_value(binnings, z);
         // A shuffle cannot change the mean, which is no feature without a known noise.
         let smallest = [1, 2].map(|coordinates| {
             let own = binnings.all.iter().filter(|along| along.0.len() == coordinates);
             let own: Vec<Binned> = own.map(|along| binnings.binned(along)).collect();
-            smallest_of_shuffles(&own, z)
+            smallest_of_shuffles(&own, z, &order)
         });
         Self::Permutation { smallest, rows: z.len(), square }
     }
@@ -188,9 +189,21 @@ impl NullDistribution {
     }
 }
 
+/// Rows in an order that does not depend on that of the file: shuffles are the same for the same readings, however they stand.
+fn by_value(binnings: &Binnings, z: &[f64]) -> Vec<usize> {
+    let columns = &binnings.measurements.rows.columns;
+    let mut order: Vec<usize> = (0..z.len()).collect();
+    order.sort_by(|a, b| {
+        let by_column = columns.iter().map(|column| column[*a].total_cmp(&column[*b]));
+        by_column.chain([z[*a].total_cmp(&z[*b])]).find(|own| own.is_ne()).unwrap_or(std::cmp::Ordering::Equal)
+    });
+    order
+}
+
 /// The smallest p-value of each of many shuffles, rising; nothing where the values as they stand are far from
-/// significant: the smallest of several p-values is below one of them more often than that one itself.
-fn smallest_of_shuffles(binnings: &[Binned], z: &[f64]) -> Vec<f64> {
+/// significant: the smallest of several p-values is below one of them more often than that one itself. Rows are shuffled
+/// in an `order` of their own.
+fn smallest_of_shuffles(binnings: &[Binned], z: &[f64], order: &[usize]) -> Vec<f64> {
     /// Ratio to the level of significance that allows for p-values from a table.
     const FAR: f64 = 3.0;
     /// Shuffles as significant as the values after which no more are needed, and those that are made together.
@@ -202,10 +215,12 @@ fn smallest_of_shuffles(binnings: &[Binned], z: &[f64]) -> Vec<f64> {
         return Vec::new();
     }
     let shuffle = |number: usize| {
-        let (mut shuffled, mut rng) = (z.to_vec(), Rng::new(SEED + number as u64));
-        for i in (1..shuffled.len()).rev() {
-            shuffled.swap(i, rng.below(i + 1));
+        let (mut from, mut rng) = (order.to_vec(), Rng::new(SEED + number as u64));
+        for i in (1..from.len()).rev() {
+            from.swap(i, rng.below(i + 1));
         }
+        let mut shuffled = vec![0.0; z.len()];
+        order.iter().zip(from).for_each(|(row, from)| shuffled[*row] = z[from]);
         smallest(&shuffled)
     };
     let mut all: Vec<f64> = Vec::new();

@@ -113,6 +113,21 @@ fn duplicates_are_those_that_are_known() {
     assert_eq!(found, known, "mend Cargo.lock, or the list in deny.toml");
 }
 
+/// Each known advisory that is left out stands with its number and the reason for which the crate stays.
+#[test]
+fn advisories_that_are_left_out_have_a_reason() {
+    let rules = rules();
+    let crates = packages();
+    for own in rules["advisories"]["ignore"].as_array().unwrap() {
+        let own = own.as_inline_table().unwrap();
+        let [id, reason] =
+            ["id", "reason"].map(|key| own.get(key).and_then(|value| value.as_str()).unwrap_or_default());
+        assert!(id.starts_with("RUSTSEC-20") && id.len() == 17, "{id}");
+        let named = crates.iter().any(|p| reason.split_whitespace().next() == p["name"].as_str());
+        assert!(named && reason.len() > 40, "{id}: say which crate it is, and why it stays: {reason}");
+    }
+}
+
 /// The wheel is built of what was compiled for the tests: no crate is asked for other features, and nothing is compiled again.
 #[test]
 fn the_wheel_is_built_of_what_the_tests_compile() {

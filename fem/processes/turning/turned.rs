@@ -24,6 +24,9 @@ pub struct Turned {
 /// Passes that are told apart: by part, force, time, path, change and angle.
 type Key = [i64; 6];
 
+/// A row of a pass, with the angle (rad) at which it was measured, and the depths (m) at the places (m) of all of its rows.
+type Own = ((Turned, Option<f64>), Vec<(f64, f64)>);
+
 /// What the joints have been through in the passes of rows.
 #[derive(Default)]
 pub struct Histories(HashMap<Key, History>);
@@ -107,12 +110,12 @@ impl Histories {
         if !machine.rubs() {
             return Ok(Self::default());
         }
-        let mut all: HashMap<Key, ((Turned, Option<f64>), Vec<(f64, f64)>)> = HashMap::new();
+        let mut all: HashMap<Key, Own> = HashMap::new();
         for own in turned {
             let (_, depths) = all.entry(own.0.key(machine, own.1)).or_insert((own, Vec::new()));
             depths.push((own.0.moment.x, own.0.conditions.set_depth));
         }
-        let history = |(key, ((turned, angle), mut depths)): (Key, ((Turned, Option<f64>), Vec<(f64, f64)>))| {
+        let history = |(key, ((turned, angle), mut depths)): (Key, Own)| {
             depths.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
             let known: Vec<f64> = depths.iter().map(|(x, _)| *x).collect();
             let depths = Depths(depths);
