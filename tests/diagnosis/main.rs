@@ -18,6 +18,7 @@ mod left_wrong;
 mod machine;
 mod promised;
 mod recurring;
+mod rubbing;
 mod scaled;
 mod score;
 mod soft_joint;

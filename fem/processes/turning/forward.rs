@@ -112,10 +112,9 @@ fn observe_some(machine: &Machine, rows: &Rows, some: Range<usize>) -> Result<Ve
     let elastic = Elastic::new(machine, &standing.shaft);
     let one = |row: usize| {
         let set = if rows.observable[row] == DIAMETER { setup.diameter(standing.at(row)) } else { 0.0 };
-        let angles = angles(machine, rows, row);
-        let left = |angle: &Option<f64>| standing.deflection(&elastic, row, *angle).map(|d| d.error);
-        let sum = angles.iter().map(left).sum::<Result<f64, Failure>>()?;
-        Ok(set + sum / angles.len() as f64)
+        let left = |angle| standing.deflection(&elastic, row, angle).map(|d| d.error);
+        let sum = angles(machine, rows, row).map(left).sum::<Result<f64, Failure>>()?;
+        Ok(set + sum / angles(machine, rows, row).count() as f64)
     };
     some.into_par_iter().with_min_len(256).map(one).collect()
 }
@@ -133,7 +132,7 @@ pub fn standing(
         let some = first..rows.len().min(first + BLOCK);
         let standing = Standing::of(machine, rows, some.clone())?;
         let elastic = Elastic::new(machine, &standing.shaft);
-        let deflect = |row| standing.deflection(&elastic, row, angles(machine, rows, row)[0]);
+        let deflect = |row| standing.deflection(&elastic, row, angles(machine, rows, row).next().flatten());
         let deflections = some.clone().into_par_iter().with_min_len(256).map(deflect).collect::<Result<Vec<_>, _>>()?;
         each(&some.map(|row| standing.at(row)).collect::<Vec<_>>(), &deflections)?;
     }
@@ -158,7 +157,7 @@ impl<'a> Standing<'a> {
         let shaft = condense(machine, &positions)?;
         let turned = some.flat_map(|row| {
             let turned = Turned::of(machine, rows, row, place(machine, rows, row));
-            angles(machine, rows, row).into_iter().map(move |angle| (turned, angle))
+            angles(machine, rows, row).map(move |angle| (turned, angle))
         });
         let histories = Histories::of(machine, turned)?;
         Ok(Self { machine, rows, positions, shaft, histories })
@@ -184,9 +183,10 @@ impl<'a> Standing<'a> {
 
 /// The angles (rad) around the part at which the diameter of a row ends: a diameter reaches from one side to the other.
 /// Of a round blank it is the mean.
-fn angles(machine: &Machine, rows: &Rows, row: usize) -> Vec<Option<f64>> {
+fn angles(machine: &Machine, rows: &Rows, row: usize) -> impl Iterator<Item = Option<f64>> + use<> {
     let angle = rows.get(ANGLE, row).unwrap_or(0.0);
-    if machine.setup.blank.is_round() { vec![None] } else { vec![Some(angle), Some(angle + PI)] }
+    let is_round = machine.setup.blank.is_round();
+    std::iter::once((!is_round).then_some(angle)).chain((!is_round).then_some(Some(angle + PI)))
 }
 
 /// Where the tool stands at a row, m.

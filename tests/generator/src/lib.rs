@@ -47,7 +47,7 @@ pub use rotary::ROTARY;
 pub use stiffness::STIFFNESS;
 pub use thermal::THERMAL;
 pub use trouble::Trouble;
-pub use turning::{SURVEYED_TURNING, TURNING, story};
+pub use turning::{RUBBING_TURNING, SURVEYED_TURNING, TURNING, story};
 pub use whole::Whole;
 
 use foreign::what_catalogue_leaves;

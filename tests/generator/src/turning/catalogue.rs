@@ -103,6 +103,9 @@ pub const OF_ANY: &[Law] = LAWS.split_at(USUAL).0;
 /// Those of which nothing is known unless edge and bed were measured.
 pub const OF_SURVEYED: &[Law] = LAWS.split_at(LAWS.len() - OF_SOME).0.split_at(USUAL).1;
 
+/// Those of supports that rub.
+pub const OF_RUBBING: &[Law] = LAWS.split_at(LAWS.len() - 2).1;
+
 /// "tailstock-* and tailstock-offset not in `chuck`; chuck-tilt not in `centres`; the others all".
 /// Those of a surveyed lathe need its survey, that of rests a rest, and the
 /// play of the cross slide a shoulder that the pass climbs; a new insert needs several parts.
@@ -130,7 +133,7 @@ pub fn yields_beside(friction: &str, effect: &str) -> bool {
 pub fn holds(holding: Holding, effect: &str) -> bool {
     match holding {
         Holding::Centres => effect != "chuck-tilt",
-        Holding::Chuck => !effect.starts_with("tailstock-"),
+        Holding::Chuck => !effect.starts_with("tailstock-") && !effect.ends_with("-friction"),
         Holding::ChuckAndCentre => true,
     }
 }

@@ -20,7 +20,7 @@ pub mod shapes;
 pub mod story;
 pub mod writing;
 
-use catalogue::{LAWS, OF_ANY, OF_SURVEYED, admits};
+use catalogue::{LAWS, OF_ANY, OF_RUBBING, OF_SURVEYED, admits};
 use equilibrium::errors;
 use job::Job;
 
@@ -47,6 +47,17 @@ pub const SURVEYED_TURNING: Process = Process {
     name: "surveyed ",
     laws: OF_SURVEYED,
     draw_job: |hidden, random| Some(Box::new(design::draw_surveyed_job(hidden, random)?)),
+    never_together: &[],
+    catalogue: LAWS,
+    scenes: scenes::NAMES,
+    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
+};
+
+/// The same on a lathe with joints that rub.
+pub const RUBBING_TURNING: Process = Process {
+    name: "rubbing ",
+    laws: OF_RUBBING,
+    draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
     never_together: &[],
     catalogue: LAWS,
     scenes: scenes::NAMES,
@@ -104,7 +115,7 @@ impl crate::job::Job for Job {
     }
 
     fn draw(&self, effect: &'static str, random: &mut Random) -> Cause {
-        let mut cause = law::draw(self.laws(), effect, self.length(), random);
+        let mut cause = law::draw(LAWS, effect, self.length(), random);
         for (_, after) in cause.parameters.iter_mut().filter(|(name, _)| *name == "after") {
             *after = random.whole(1, self.parts - 1) as f64;
         }
