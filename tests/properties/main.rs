@@ -77,11 +77,13 @@ fn tilting(start: &str) -> String {
 }
 
 /// What must act for an effect to be felt at all: surroundings that drift are felt through what loses heat, a new insert
-/// by the wear of the old one.
+/// by the wear of the old one, friction by what yields beside it.
 fn beside(process: &dyn Process, effect: &Description) -> Vec<Active> {
     let through = match &*effect.name {
         "ambient-drift" => "convection",
         "insert-change" => "tool-wear",
+        "headstock-friction" => "headstock-compliance",
+        "tailstock-friction" => "tailstock-compliance",
         _ => "",
     };
     process.effects().into_iter().filter(|e| e.name == through).map(|e| e.typical()).collect()

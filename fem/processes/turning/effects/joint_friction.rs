@@ -18,10 +18,7 @@ pub static HEADSTOCK: Effect<1> = friction(
     "headstock",
     ["headstock-friction", "friction holds the joint at the headstock, which stays behind the force"],
     "at x = 0: S = Q - f where Q rises, Q + f where it has fallen by 2*f, held between; y = u(S)",
-    &[
-        ("headstock-compliance", "where the pass turns about: a spring stands where it stood on the way there"),
-        ("chuck-tilt", "a pass from the other end: a tilt is the same in it"),
-    ],
+    &[("headstock-compliance", "a pass from the other end: a spring is the same in it")],
     |[force], machine| machine.friction[Support::Headstock as usize] += force,
 );
 
@@ -32,7 +29,10 @@ pub static TAILSTOCK: Effect<1> = friction(
     "at x = L: S = Q - f where Q rises, Q + f where it has fallen by 2*f, held between; y = u(S)",
     &[
         ("tailstock-offset", "a pass from the other end, or a second force: an offset is the same in both"),
-        ("tailstock-compliance", "more places where the pass begins: friction leaves a kink there"),
+        (
+            "tailstock-compliance",
+            "a pass from the other end, or more places where it begins: friction leaves a kink there",
+        ),
     ],
     |[force], machine| machine.friction[Support::Tailstock as usize] += force,
 );

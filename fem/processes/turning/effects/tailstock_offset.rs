@@ -23,6 +23,7 @@ pub static TAILSTOCK_OFFSET: Effect<1> = Effect {
         ("guideway-taper", "an indicator on an unloaded sweep along the guideway; diameters alone cannot tell"),
         ("bed-twist", "a level that the carriage carries along the bed; diameters alone cannot tell"),
         ("tailstock-compliance", "a second force"),
+        ("tailstock-friction", "a pass from the other end, or a second force"),
     ],
     needs: a_tailstock,
     act: |[offset], machine| machine.displace(Support::Tailstock, move |_| offset),
