@@ -144,11 +144,11 @@ fn what_cannot_meet_is_refused_with_a_reason() {
 fn of_turning() {
     // The generator's grid in a heated shaft is a ninth of the kink ahead of the tool: 4e-4 of the rise, and the range
     // may be smaller than what the heat takes away from it.
-    // A support that rubs remembers where its load turned: the tool is followed in fortieths of the pass, whose square is
+    // A support that rubs remembers where its load turned: the tool is followed in hundredths of the pass, whose square is
     // what a turn between two steps is missed by.
     hold(&TURNING, |pair| match pair {
         pair if pair.contains(&"workpiece-heating") => 1e-3,
-        pair if pair.iter().any(|effect| effect.ends_with("-friction")) => 6e-4,
+        pair if pair.iter().any(|effect| effect.ends_with("-friction")) => 1e-4,
         _ => ROUND_OFF,
     });
 }

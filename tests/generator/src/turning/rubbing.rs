@@ -6,7 +6,7 @@ use super::job::{Holding, Job, Row};
 use crate::law::Cause;
 
 /// Steps of the pass on the part before, and of the pass itself.
-const STEPS: [usize; 2] = [6, 40];
+const STEPS: [usize; 2] = [12, 100];
 
 /// Diameter error of every row, um, where headstock and tailstock rub with up to `most`, N.
 pub fn errors(job: &Job, causes: &[Cause], most: [f64; 2]) -> Vec<f64> {
