@@ -48,7 +48,7 @@ impl Cutting {
         Self::new(machine, &machine.moment_on(part, x), machine.setup.conditions(x, 0.0))
     }
 
-    /// The same behind a place up to which the joints have been through this, of every pass; see [`History::at`].
+    /// The same behind a place up to which the joints have been through this, of every pass; as a history of the pass has it.
     #[must_use]
     pub fn behind(mut self, borne: &Borne) -> Self {
         self.borne = borne.last().copied().unwrap_or_default();
@@ -153,12 +153,34 @@ impl<'a> Elastic<'a> {
     ///
     /// # Errors
     /// The joints found no equilibrium.
-    pub fn before(&self, i: usize, x: f64, angle: Option<f64>, last: &Cutting, borne: &Borne) -> Result<f64, Failure> {
+    fn before(&self, i: usize, x: f64, angle: Option<f64>, last: &Cutting, borne: &Borne) -> Result<f64, Failure> {
         if self.feedback.is_none() {
             return Ok(0.0);
         }
         (0..self.setup.passes.len())
             .try_fold(self.met(x, angle), |error, number| Ok(self.pass(number, (i, x), error, last, borne)?.error))
+    }
+
+    /// The last pass on what the passes before it leave of the blank, see [`Self::before`].
+    ///
+    /// # Errors
+    /// The joints found no equilibrium.
+    pub fn last(
+        &self,
+        (i, x): (usize, f64),
+        angle: Option<f64>,
+        last: &Cutting,
+        borne: &Borne,
+    ) -> Result<Deflection, Failure> {
+        self.finish(i, self.before(i, x, angle, last, borne)?, last, borne)
+    }
+
+    /// The last pass where the work is too large by an error (m).
+    ///
+    /// # Errors
+    /// The joints found no equilibrium.
+    pub fn finish(&self, i: usize, error: f64, last: &Cutting, borne: &Borne) -> Result<Deflection, Failure> {
+        self.deflect(i, &last.behind(borne).meeting(error))
     }
 
     /// The pass `number`, the last behind those before it, with the tool at a position of a number at x (m), where the work
@@ -174,11 +196,10 @@ impl<'a> Elastic<'a> {
         last: &Cutting,
         borne: &Borne,
     ) -> Result<Deflection, Failure> {
-        let at = match number < self.setup.passes.len() {
-            true => self.earlier(number, x, error, last, borne),
-            false => last.behind(borne).meeting(error),
-        };
-        self.deflect(i, &at)
+        match number < self.setup.passes.len() {
+            true => self.deflect(i, &self.earlier(number, x, error, last, borne)),
+            false => self.finish(i, error, last, borne),
+        }
     }
 
     /// The pass `number` before the last at x, where the work is too large by an error (m).

@@ -37,9 +37,7 @@ fn on_part(
 ) -> Result<Vec<Deflection>, Failure> {
     let history = History::on_part(machine, part, None)?;
     let deflect = |(i, x): (usize, &f64)| {
-        let (last, borne) = (Cutting::on_part(machine, part, *x), history.at(*x));
-        let met = elastic.before(i, *x, None, &last, borne);
-        let deflection = met.and_then(|met| elastic.pass(machine.setup.passes.len(), (i, *x), met, &last, borne));
+        let deflection = elastic.last((i, *x), None, &Cutting::on_part(machine, part, *x), history.at(*x));
         progress.advance(1);
         deflection
     };
@@ -173,11 +171,10 @@ impl<'a> Standing<'a> {
         let i = self.positions.partition_point(|p| *p < x);
         let turned = Turned::of(machine, rows, row, x);
         let (last, borne) = (turned.cutting(machine), self.histories.at(machine, &turned, angle));
-        let met = match rows.get(BLANK, row) {
-            Some(_) => 0.0,
-            None => elastic.before(i, x, angle, &last, borne)?,
-        };
-        elastic.pass(machine.setup.passes.len(), (i, x), met, &last, borne)
+        match rows.get(BLANK, row) {
+            Some(_) => elastic.finish(i, 0.0, &last, borne),
+            None => elastic.last((i, x), angle, &last, borne),
+        }
     }
 }
 

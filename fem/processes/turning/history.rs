@@ -74,9 +74,11 @@ impl History {
 
     /// What the joints bear in every pass once the pass before it has ended and the tool has left the work, N.
     fn begun(&self, machine: &Machine) -> Vec<[f64; 2]> {
-        let ends = self.borne.last().map_or(&[][..], Vec::as_slice);
-        let left = |ends: &[f64; 2]| [0, 1].map(|k| ends[k].clamp(-machine.friction[k], machine.friction[k]));
-        (0..ends.len()).map(|number| left(&ends[(number + ends.len() - 1) % ends.len()])).collect()
+        let mut left = self.borne.last().cloned().unwrap_or_default();
+        left.rotate_right(1);
+        let keep = |(bears, most): (&mut f64, f64)| *bears = bears.clamp(-most, most);
+        left.iter_mut().for_each(|pass| pass.iter_mut().zip(machine.friction).for_each(keep));
+        left
     }
 
     /// What the joints bore in every pass before the tool reached x (m), N; nothing where nothing rubs.
@@ -92,13 +94,8 @@ fn places(machine: &Machine, also: &[f64]) -> (Vec<f64>, bool) {
     let pass = setup.schedule.pass;
     let (falls, (low, high)) = (pass.to < pass.from, pass.ends());
     let between = (0..=PLACES).map(|i| low + (high - low) * (i as f64 / PLACES as f64));
-    let ends = setup.segments.iter().scan(0.0, |x, segment| {
-        *x += segment.length;
-        Some(*x)
-    });
-    let rests = setup.steady_rests.iter().map(|rest| rest.at);
-    let mut places: Vec<f64> =
-        between.chain(ends).chain(rests).chain(also.iter().copied()).filter(|x| (low..=high).contains(x)).collect();
+    let known = setup.ends().iter().chain(also).copied().chain(setup.steady_rests.iter().map(|rest| rest.at));
+    let mut places: Vec<f64> = between.chain(known).filter(|x| (low..=high).contains(x)).collect();
     places.sort_unstable_by(f64::total_cmp);
     places.dedup();
     if falls {

@@ -191,6 +191,11 @@ impl Setup {
         self.ends.last().copied().unwrap_or(0.0)
     }
 
+    /// Ends of the segments, m.
+    pub fn ends(&self) -> &[f64] {
+        &self.ends
+    }
+
     /// Whether a segment ends at x (m).
     pub fn is_step(&self, x: f64) -> bool {
         self.ends.iter().any(|end| (x - end).abs() <= 1e-9 * end)

@@ -9,13 +9,13 @@ use super::elastic::{Borne, Cutting};
 use super::history::History;
 use super::machine::{Machine, Moment};
 use super::rows::{self, CHANGE};
-use crate::process::{Failure, Rows};
+use crate::process::{Failure, Rows, on_lines};
 
 /// The last pass as a row tells of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turned {
     /// Place, part and time of the row.
-    pub moment: Moment,
+    moment: Moment,
     conditions: Conditions,
     /// What the pass was programmed to beside the radius that is meant, m.
     change: f64,
@@ -30,20 +30,6 @@ type Own = ((Turned, Option<f64>), Vec<(f64, f64)>);
 /// What the joints have been through in the passes of rows.
 #[derive(Default)]
 pub struct Histories(HashMap<Key, History>);
-
-/// Depths (m) to which a pass is set at places (m), with rising x: straight between, as at the nearest beyond them.
-struct Depths(Vec<(f64, f64)>);
-
-impl Depths {
-    fn at(&self, x: f64) -> f64 {
-        let after = self.0.partition_point(|(place, _)| *place < x);
-        match (self.0.get(after.saturating_sub(1)), self.0.get(after)) {
-            (Some((from, low)), Some((to, high))) if to > from => low + (high - low) * (x - from) / (to - from),
-            (_, Some((_, depth))) => *depth,
-            (_, None) => self.0.last().map_or(f64::NAN, |(_, depth)| *depth),
-        }
-    }
-}
 
 impl Turned {
     /// The pass of a row at x (m).
@@ -61,13 +47,13 @@ impl Turned {
         Cutting::new(machine, &self.moment, self.conditions).programmed(self.change)
     }
 
-    /// The same pass at another place (m), under a force that changes along it as that of the model does.
-    fn elsewhere(&self, machine: &Machine, depths: &Depths, x: f64) -> Self {
+    /// The same pass at another place (m), set to some depth (m) there, under a force that changes along it as that of the
+    /// model does.
+    fn elsewhere(&self, machine: &Machine, x: f64, set_depth: f64) -> Self {
         let (setup, at, own) = (&machine.setup, &self.moment, &self.conditions);
         let (here, there) = (setup.nominal_force(at.x), setup.nominal_force(x));
         let ratio = if here > 0.0 { there / here } else { 1.0 };
-        let conditions =
-            Conditions { force: own.force * ratio, nominal: own.nominal * ratio, set_depth: depths.at(x), ..*own };
+        let conditions = Conditions { force: own.force * ratio, nominal: own.nominal * ratio, set_depth, ..*own };
         let on = |of: &dyn Fn(usize, f64) -> f64| of(at.part, x) - of(at.part, at.x);
         let schedule = &setup.schedule;
         let moment = Moment {
@@ -118,8 +104,9 @@ impl Histories {
         let history = |(key, ((turned, angle), mut depths)): (Key, Own)| {
             depths.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
             let known: Vec<f64> = depths.iter().map(|(x, _)| *x).collect();
-            let depths = Depths(depths);
-            let last = |x: f64| turned.elsewhere(machine, &depths, x).cutting(machine);
+            // The set depth is straight between rows.
+            let depth = |x: f64| on_lines(known.partition_point(|at| *at < x), depths.len(), |i| depths[i], x);
+            let last = |x: f64| turned.elsewhere(machine, x, depth(x)).cutting(machine);
             Ok((key, History::of(machine, angle, &known, last)?))
         };
         Ok(Self(all.into_par_iter().map(history).collect::<Result<_, Failure>>()?))

@@ -8,7 +8,6 @@
 //! vibration that shakes a joint loose, friction of the carriage, which bears the same force all along.
 
 use super::super::machine::{Effect, Machine, Support};
-use super::super::setup::Setup;
 use super::support_compliance::a_tailstock;
 use crate::process::{Belongs, Odds, Parameter, UnitRole};
 use crate::units::FORCE;
@@ -48,19 +47,15 @@ const fn friction(
         name,
         about,
         law,
-        source: "Coulomb's law, in series as the play operator",
+        source: "Coulomb's law beside the joint, the play operator",
         belongs: Belongs::Unit(unit, UnitRole::Friction),
         odds: Odds::of(0.1, "clamped joints hardly slide under a finishing cut"),
         parameters: [Parameter::amplitude("force", FORCE, "friction f", (1.0, 500.0))],
         look_alikes,
-        needs: a_reaction_that_changes,
+        // In a chuck alone the reaction is the force all along the pass, and friction a step that a setting is too.
+        needs: a_tailstock,
         act,
     }
-}
-
-/// In a chuck alone the reaction is the force all along the pass, and friction a step that a setting is too.
-fn a_reaction_that_changes(setup: &Setup) -> Result<(), String> {
-    a_tailstock(setup)
 }
 
 #[cfg(test)]

@@ -44,9 +44,7 @@ impl Roundness {
         let section = |(i, x): (usize, &f64)| -> Result<(f64, (f64, f64)), Failure> {
             let last = Cutting::on_part(machine, 1, *x);
             let around = angles.iter().zip(&histories).map(|(angle, history)| -> Result<(f64, f64), Failure> {
-                let borne = history.at(*x);
-                let met = elastic.before(i, *x, Some(*angle), &last, borne)?;
-                let deflection = elastic.pass(setup.passes.len(), (i, *x), met, &last, borne)?;
+                let deflection = elastic.last((i, *x), Some(*angle), &last, history.at(*x))?;
                 Ok((0.5 * deflection.error, deflection.force))
             });
             let (radii, forces): (Vec<f64>, Vec<f64>) =

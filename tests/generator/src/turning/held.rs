@@ -138,12 +138,13 @@ impl Held {
             self.joints(force, imposed, friction)[first] - borne[first]
         };
         let most = most[first];
-        if beyond(most, friction) > 0.0 || beyond(-most, friction) < 0.0 {
-            let held = if beyond(most, friction) > 0.0 { most } else { -most };
-            beyond(held, friction);
-            return;
-        }
-        let held = root(-most, most, |held| -beyond(held, &mut friction.to_vec()));
+        let held = if beyond(most, friction) > 0.0 {
+            most
+        } else if beyond(-most, friction) < 0.0 {
+            -most
+        } else {
+            root(-most, most, |held| -beyond(held, &mut friction.to_vec()))
+        };
         beyond(held, friction);
     }
 

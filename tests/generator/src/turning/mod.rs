@@ -48,21 +48,11 @@ pub const SURVEYED_TURNING: Process = Process {
     laws: OF_SURVEYED,
     draw_job: |hidden, random| Some(Box::new(design::draw_surveyed_job(hidden, random)?)),
     never_together: &[],
-    catalogue: LAWS,
-    scenes: scenes::NAMES,
-    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
+    ..TURNING
 };
 
 /// The same on a lathe with joints that rub.
-pub const RUBBING_TURNING: Process = Process {
-    name: "rubbing ",
-    laws: OF_RUBBING,
-    draw_job: |hidden, random| Some(Box::new(design::draw_job(hidden, random)?)),
-    never_together: &[],
-    catalogue: LAWS,
-    scenes: scenes::NAMES,
-    draw_scene: |scene, effects, random| Some(Box::new(scenes::draw(scene, effects, random)?)),
-};
+pub const RUBBING_TURNING: Process = Process { name: "rubbing ", laws: OF_RUBBING, never_together: &[], ..TURNING };
 
 impl crate::job::Job for Job {
     fn process(&self) -> &'static str {

@@ -3,6 +3,7 @@
 
 use super::equilibrium::{at_rows, one_side};
 use super::job::{Holding, Job, Row};
+use super::set_up::between;
 use crate::law::Cause;
 
 /// Steps of the pass on the part before, and of the pass itself.
@@ -84,13 +85,4 @@ fn steps(job: &Job, own: &[usize], count: usize) -> (Vec<f64>, Vec<Row>) {
     };
     let rows = places.iter().map(row).collect();
     (places, rows)
-}
-
-/// Straight between points, and beyond them as at the nearest.
-fn between(points: &[(f64, f64)], x: f64) -> Option<f64> {
-    let after = points.partition_point(|(at, _)| *at < x);
-    let (Some((from, low)), Some((to, high))) = (points.get(after.saturating_sub(1)), points.get(after)) else {
-        return points.last().map(|point| point.1);
-    };
-    Some(if to > from { low + (high - low) * (x - from) / (to - from) } else { *high })
 }

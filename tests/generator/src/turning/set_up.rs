@@ -91,19 +91,19 @@ impl SetUp {
         let wave = |w: &Wave| 0.5 * w.amplitude * (TAU * w.waves * x / length - w.phase.to_radians()).cos();
         let lobe = |l: &Lobe| l.amplitude * (l.lobes as f64 * (angle - l.phase).to_radians()).cos();
         let (along, around): (f64, f64) = (self.waves.iter().map(wave).sum(), self.lobes.iter().map(lobe).sum());
-        1e3 * (along + around + 0.5 * self.between(x))
+        1e3 * (along + around + 0.5 * between(&self.points, x).unwrap_or(0.0))
     }
+}
 
-    /// Error of the diameter between the points, mm; beyond them that of the nearest.
-    fn between(&self, x: f64) -> f64 {
-        let Some(last) = self.points.last() else { return 0.0 };
-        match self.points.partition_point(|(at, _)| *at <= x) {
-            0 => self.points[0].1,
-            i if i == self.points.len() => last.1,
-            i => {
-                let ((from, low), (to, high)) = (self.points[i - 1], self.points[i]);
-                low + (high - low) * (x - from) / (to - from)
-            }
+/// Straight between points (place, value) with rising places, beyond them as at the nearest; `None` of no points.
+pub fn between(points: &[(f64, f64)], x: f64) -> Option<f64> {
+    let last = points.last()?;
+    Some(match points.partition_point(|(at, _)| *at <= x) {
+        0 => points[0].1,
+        i if i == points.len() => last.1,
+        i => {
+            let ((from, low), (to, high)) = (points[i - 1], points[i]);
+            low + (high - low) * (x - from) / (to - from)
         }
-    }
+    })
 }
