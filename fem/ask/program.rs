@@ -31,6 +31,13 @@ pub fn program(model: &Model, path: &Path) -> Result<Program, Error> {
 /// No block of it finishes the part, or the model cannot be computed.
 pub fn programmed(model: &Model, found: &Correction, program: &Program, adds: bool) -> Result<Programmed, Error> {
     let work = workpiece(model)?;
+    if found.is_for_several() {
+        let problem =
+            Problem::new(format!("{}: each place and each pallet has a contour of its own", model.source.name));
+        return Err(problem
+            .help("give a program for each of them: leave the other [[place]] and [[pallet]] out of the model; without a program `correction.csv` has all contours")
+            .into());
+    }
     let corrected = corrected(program, &work, &found.common_courses(), adds)?;
     let with = found.with_contour(model, &corrected.carried)?;
     let name = Path::new(&*program.source.name).file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -97,6 +97,13 @@ impl Correction {
         lines.map(course).collect()
     }
 
+    /// Whether something else than the number and the line across the part sets contours apart, which no program tells: places
+    /// of a fixture, pallets.
+    pub fn is_for_several(&self) -> bool {
+        let line = |(apart, _): &(Vec<f64>, Range<usize>)| [apart.first().copied(), apart.get(1).copied()];
+        self.command.contours().windows(2).any(|pair| line(&pair[0]) == line(&pair[1]))
+    }
+
     /// What is left with a contour that is given, and an offset for each number.
     ///
     /// # Errors

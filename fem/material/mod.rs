@@ -1,8 +1,10 @@
 //! Materials: a built-in list, the names of standards, or a table of one's own.
 
 pub mod catalogue;
+mod over_temperature;
 mod properties;
 
+pub use over_temperature::OverTemperature;
 pub use properties::Material;
 
 use properties::material;
@@ -35,6 +37,18 @@ const OF_AN_ALLOY: Doubt = Doubt::by_factor(
 impl Material {
     /// Reads a material from `key`: a name, or a table with every property, or overrides on a `base`.
     pub fn read(table: &Reader, key: &'static str) -> Self {
+        Self::read_with(table, key, None)
+    }
+
+    /// The same, with conductivity, specific heat and expansion over temperature where the table names records of them.
+    /// Of these the material itself has the values at 20 °C.
+    pub fn read_over_temperature(table: &Reader, key: &'static str) -> (Self, OverTemperature) {
+        let mut over = OverTemperature::default();
+        let material = Self::read_with(table, key, Some(&mut over));
+        (material, over)
+    }
+
+    fn read_with(table: &Reader, key: &'static str, over: Option<&mut OverTemperature>) -> Self {
         let names: Vec<&'static str> = BUILT_IN.iter().map(|m| m.0).collect();
         table.name_or_table(key, "a material's name, or a table of its properties", &names, |name, own| {
             let named = |name: &str| {
@@ -55,7 +69,7 @@ impl Material {
                 found.or(Some(Self::STEEL))
             });
             // With a base every property may be left out, and the schema allows it.
-            Self::read_own(own, base.or(own.is_described().then_some(Self::STEEL)))
+            Self::read_own(own, base.or(own.is_described().then_some(Self::STEEL)), over)
         })
     }
 
@@ -72,10 +86,15 @@ impl Material {
     /// The `steel` of the list.
     pub const STEEL: Self = BUILT_IN[0].1;
 
-    fn read_own(own: &Reader, base: Option<Self>) -> Self {
-        let read = |key, kind: Kind, about, bounds, of: fn(&Self) -> f64| {
+    fn read_own(own: &Reader, base: Option<Self>, mut over: Option<&mut OverTemperature>) -> Self {
+        let mut read = |key, kind: Kind, about, bounds, of: fn(&Self) -> f64| {
             let field = own.quantity(key, kind, about).bounds(bounds);
             let field = if matches!(key, "density" | "poisson_ratio") { field } else { field.estimated(OF_AN_ALLOY) };
+            if let Some(over) = &mut over
+                && let Some(place) = over.place(key)
+            {
+                return OverTemperature::read(field, place, base.as_ref().map(of));
+            }
             match &base {
                 Some(base) => field.or(of(base)),
                 None => field.required(),
@@ -83,7 +102,7 @@ impl Material {
         };
         // No solid is softer than 1 MPa or stiffer than 5 TPa: beyond that the unit is wrong.
         let solid = Bounds::Within(1e6, 5e12);
-        Self {
+        let material = Self {
             youngs_modulus: read("youngs_modulus", PRESSURE, "Young's modulus", solid, |m| m.youngs_modulus),
             poisson_ratio: read("poisson_ratio", CONTRACTION, "Poisson's ratio", Bounds::Within(-1.0, 0.5), |m| {
                 m.poisson_ratio
@@ -92,7 +111,11 @@ impl Material {
             expansion: read("expansion", EXPANSION, "thermal expansion", Bounds::Any, |m| m.expansion),
             conductivity: read("conductivity", CONDUCTIVITY, "heat conductivity", Bounds::Positive, |m| m.conductivity),
             specific_heat: read("specific_heat", SPECIFIC_HEAT, "specific heat", Bounds::Positive, |m| m.specific_heat),
+        };
+        if let Some(over) = over {
+            over.read_reference(own);
         }
+        material
     }
 
     /// G = E / 2(1+ν), Pa.

@@ -321,6 +321,17 @@ fn measured_in_places() -> String {
 }
 
 #[test]
+fn a_program_carries_no_contours_of_several_places() {
+    let place = Place::new();
+    place.write("model.toml", model("two-places.toml"));
+    place.write("top.ngc", "G17 G21\nG0 X-50. Y0. Z2.\nG1 Z0. F800\nX250.\nG0 Z50.\nM30\n");
+    let refused = place.fem(&["correct", "model.toml", "--program", "top.ngc", "-o", "corrected"]);
+    assert_eq!(refused.status, 2);
+    insta::assert_snapshot!(refused.err);
+    assert!(!place.path("corrected").exists());
+}
+
+#[test]
 fn what_places_and_pallets_are_off_by_is_told_and_found() {
     let place = Place::new();
     place.write("model.toml", model("two-places.toml"));

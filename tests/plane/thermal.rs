@@ -150,7 +150,13 @@ fn heat_is_balanced_to_rounding() {
             temperature("left", History::Function(Arc::new(|t: f64| 20.0 + 0.5 * t))),
             Condition::Convection { sides: "bottom".to_owned(), coefficient: 300.0, ambient },
             flux("right", 5e4, vec![[3.0, 11.0]]),
-            Condition::MovingFlux { sides: "top".to_owned(), flux: 1e6, width: 0.013, start: -0.01, speed: 0.003 },
+            Condition::MovingFlux {
+                sides: "top".to_owned(),
+                flux: Power::switched(1e6, &[]),
+                width: 0.013,
+                start: -0.01,
+                speed: 0.003,
+            },
         ];
         let law = Conduction { conductivity: 45.0, heat_capacity: 3.6e6, thickness: Thickness::Uniform(0.02) };
         for capacity in [Capacity::Consistent, Capacity::Lumped] {
@@ -170,8 +176,13 @@ fn heat_is_balanced_to_rounding() {
 fn a_moving_strip_gives_its_heat() {
     for (sides, length) in [("top", 0.1), ("left", 0.05)] {
         let mesh = rectangle([0.1, 0.05], [7, 5], &Quad8);
-        let strip =
-            Condition::MovingFlux { sides: sides.to_owned(), flux: 1e6, width: 0.01, start: -0.01, speed: 0.002 };
+        let strip = Condition::MovingFlux {
+            sides: sides.to_owned(),
+            flux: Power::switched(1e6, &[]),
+            width: 0.01,
+            start: -0.01,
+            speed: 0.002,
+        };
         let system = system(&mesh, [45.0, 3.6e6], &[strip]);
         let run = Run { scheme: Scheme::Sdirk2, step: 0.05, end: 80.0 };
         let energy = system.run(&vec![0.0; mesh.nodes().len()], &run, |_| ()).unwrap();

@@ -32,7 +32,7 @@ pub enum Condition {
     Temperature(History),
     /// A strip of heat flux (W/m²) that moves along the edge toward growing x or y: speed (m/s), width (m),
     /// and the place of its middle at the start (m).
-    Moving { speed: f64, width: f64, flux: f64, from: f64 },
+    Moving { speed: f64, width: f64, flux: Power, from: f64 },
 }
 
 impl Boundary {
@@ -72,12 +72,13 @@ impl Boundary {
     pub fn known_until(&self) -> f64 {
         let of = |ambient: &Option<History>| ambient.as_ref().map_or(f64::INFINITY, History::known_until);
         match &self.condition {
-            Condition::Flux(Power { level: history, .. }) | Condition::Temperature(history) => history.known_until(),
+            Condition::Flux(Power { level: history, .. })
+            | Condition::Moving { flux: Power { level: history, .. }, .. }
+            | Condition::Temperature(history) => history.known_until(),
             Condition::Convection { coefficient, ambient } => {
                 History::from(coefficient.clone()).known_until().min(of(ambient))
             }
             Condition::Radiation { ambient, .. } => of(ambient),
-            Condition::Moving { .. } => f64::INFINITY,
         }
     }
 }
@@ -99,7 +100,14 @@ impl Condition {
         let moving = t.optional_table("moving", "a strip of flux that moves along the edge", |t| Self::Moving {
             speed: t.quantity("speed", SPEED, "of the strip, toward growing x or y").required(),
             width: t.quantity("width", LENGTH, "of the strip").positive().required(),
-            flux: t.quantity("flux", HEAT_FLUX, "heat that flows in under it").estimated(estimates::POWER).required(),
+            flux: Power {
+                level: History::from(
+                    t.quantity("flux", HEAT_FLUX, "heat that flows in under it")
+                        .estimated(estimates::POWER)
+                        .varying(run),
+                ),
+                on: on.clone(),
+            },
             from: t.quantity("from", LENGTH, "where its middle is at the start").or(0.0),
         });
         let given = [flux.is_some(), coefficient.is_some(), emissivity.is_some(), held.is_some(), moving.is_some()];
@@ -109,6 +117,11 @@ impl Condition {
                 "an edge has one condition",
                 "give one of flux, convection, emissivity, temperature and moving; another [[boundary]] adds another",
             );
+        }
+        if t.has("on") && flux.is_none() && moving.is_none() {
+            let help =
+                "leave it out, or let a flux be on and off; a film that changes is a record: convection = { file }";
+            t.problem("on", "only a flux is switched on and off", help);
         }
         match (flux, coefficient, emissivity, held, moving) {
             (Some(level), ..) => Self::Flux(Power { level, on }),

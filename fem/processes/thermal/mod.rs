@@ -16,6 +16,7 @@ mod effects;
 pub(crate) mod follow;
 pub(crate) mod forward;
 pub(crate) mod machine;
+mod over_temperature;
 mod plate;
 pub(crate) mod report;
 mod revolved;

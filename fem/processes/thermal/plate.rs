@@ -6,6 +6,7 @@ use super::body::{Outline, Plane};
 use super::boundary;
 use super::follow::{Followed, Look, Watch, unsolvable};
 use super::machine::Machine;
+use super::over_temperature::Laws;
 use super::setup::Setup;
 use super::source::Strip;
 use super::surroundings::Surroundings;
@@ -13,10 +14,10 @@ use crate::element::plane::{Capacity, Conduction, Elasticity, PlaneState, Thickn
 use crate::input::Varying;
 use crate::mesh::{Mesh, MeshError, Side};
 use crate::process::Failure;
-use crate::solve::conduction::{Condition, History, Instant, Loss, Run, ThermalSystem};
+use crate::solve::conduction::{Condition, History, Instant, Loss, Run, ThermalError, ThermalSystem};
 use crate::solve::elastic::{ElasticSystem, Loads};
 use crate::solve::rod::{PointSource, Probe, Track};
-use crate::units::LENGTH;
+use crate::units::{LENGTH, TEMPERATURE, TIME};
 
 /// Name of the edges on which the film of the surroundings acts.
 const FREE: &str = "free";
@@ -30,24 +31,49 @@ pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], run: &Run, watch
     let mesh = plane.mesh(setup.element_size, &sections(machine)).map_err(|e| unsolvable(&e))?;
     let mut mesh = Arc::unwrap_or_clone(mesh);
     name_surfaces(&mut mesh, setup).map_err(|e| unsolvable(&e))?;
+    let laws = Laws::of(setup);
     let law = Conduction {
-        conductivity: setup.material.conductivity,
-        heat_capacity: setup.material.density * setup.material.specific_heat,
+        conductivity: laws.conductivity.scale(),
+        heat_capacity: setup.material.density * laws.specific_heat.scale(),
         thickness: plane.thickness,
     };
     let conditions = conditions(machine, plane, &mesh)?;
-    let system = ThermalSystem::new(&mesh, law, Capacity::Consistent, &conditions).map_err(|e| unsolvable(&e))?;
+    let properties = laws.properties(setup);
+    let system = ThermalSystem::over_temperature(&mesh, law, properties, Capacity::Consistent, &conditions);
+    let system = system.map_err(|e| unsolvable(&e))?;
     let probes = probes(setup, plane, &mesh, looks)?;
     let switches: Vec<f64> = conditions.iter().flat_map(Condition::switches).collect();
     let mut track = Track::new(looks.len());
     let observe = |now: Instant<'_>| {
-        let read = |p: &Probe| p.weights.iter().map(|(node, weight)| weight * now.at(*node)).sum::<f64>();
+        let read = |(look, probe): (&Look, &Probe)| {
+            let own = |node: usize| match look {
+                Look::Rise { .. } => now.at(node),
+                Look::Elongation | Look::Bow | Look::Diameter { .. } => laws.grown(now.at(node)),
+            };
+            probe.weights.iter().map(|(node, weight)| weight * own(*node)).sum::<f64>()
+        };
         let switched = now.time == 0.0 || now.time == run.end || switches.contains(&now.time);
-        track.push(now.time, switched, probes.iter().map(read));
+        track.push(now.time, switched, looks.iter().zip(&probes).map(read));
         watch(now.time, &|| now.temperatures());
     };
     let energy = system.run(&vec![0.0; mesh.nodes().len()], run, observe);
-    Ok(Followed { track, energy: energy.map_err(|e| unsolvable(&e))? })
+    Ok(Followed { track, energy: energy.map_err(|error| not_followed(&error, setup.start))? })
+}
+
+/// A body that could not be followed to the end of the run, from a temperature (K) at the start.
+fn not_followed(error: &ThermalError, start: f64) -> Failure {
+    let ThermalError::Unknown { time, reached, known } = error else { return unsolvable(error) };
+    let [reached, known] = [reached, known].map(|both| both.map(|rise| TEMPERATURE.format(start + rise)));
+    let [coldest, hottest] = reached;
+    Failure {
+        message: format!(
+            "the body is between {coldest} and {hottest} at {}, and its properties are known from {} to {}",
+            TIME.format(*time),
+            known[0],
+            known[1]
+        ),
+        help: "record conductivity, specific_heat and expansion of the material as far as that".into(),
+    }
 }
 
 /// Everything that heats and cools, as rises over the temperature at the start.
@@ -79,7 +105,7 @@ fn conditions(machine: &Machine, plane: &Plane, mesh: &Mesh) -> Result<Vec<Condi
             }
             boundary::Condition::Temperature(own) => Condition::Temperature { sides, temperature: rise(own) },
             boundary::Condition::Moving { speed, width, flux, from } => {
-                Condition::MovingFlux { sides, flux: *flux, width: *width, start: *from, speed: *speed }
+                Condition::MovingFlux { sides, flux: flux.clone(), width: *width, start: *from, speed: *speed }
             }
         });
     }
@@ -203,16 +229,16 @@ fn probes(setup: &Setup, plane: &Plane, mesh: &Mesh, looks: &[Look]) -> Result<V
     looks.iter().map(probe).collect()
 }
 
-/// The elastic law of a body that is free to grow.
+/// The elastic law of a body that is free to grow, with the expansion that it has at the start.
 ///
 /// # Errors
 /// A material that is none.
 pub fn elasticity(setup: &Setup, plane: &Plane) -> Result<Elasticity, Failure> {
     let material = &setup.material;
-    let (e, nu) = (material.youngs_modulus, material.poisson_ratio);
+    let (e, nu, alpha) = (material.youngs_modulus, material.poisson_ratio, Laws::of(setup).expansion.scale());
     let law = match plane.thickness {
-        Thickness::Uniform(width) => Elasticity::new(PlaneState::Stress, e, nu, material.expansion, width),
-        Thickness::Revolved => Elasticity::revolved(e, nu, material.expansion),
+        Thickness::Uniform(width) => Elasticity::new(PlaneState::Stress, e, nu, alpha, width),
+        Thickness::Revolved => Elasticity::revolved(e, nu, alpha),
     };
     law.map_err(|e| unsolvable(&e))
 }

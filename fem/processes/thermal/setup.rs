@@ -6,11 +6,12 @@ use super::allowed::ALLOWED;
 use super::body::{Body, MOST_CELLS};
 use super::boundary::{self, Boundary, refuse_impossible};
 use super::circles;
+use super::over_temperature::refuse_rods;
 use super::source::{self, Source, Strip};
 use super::steps::Steps;
 use super::surroundings::{self, Surroundings};
 use crate::input::{Along, Reader};
-use crate::material::Material;
+use crate::material::{Material, OverTemperature};
 use crate::process::{Allowed, estimates};
 use crate::solve::conduction::Scheme;
 use crate::solve::rod::{History, Known, PointSource};
@@ -42,6 +43,8 @@ pub struct Time {
 pub struct Setup {
     /// Material of the body.
     pub material: Material,
+    /// Properties that change with its temperature.
+    pub over_temperature: OverTemperature,
     /// Shape of the body.
     pub body: Body,
     /// Sources in the order of the file.
@@ -83,8 +86,9 @@ const SCHEMES: &[(&str, Scheme)] =
 impl Setup {
     /// Reads every table of a thermal model but `[effects]`.
     pub fn read(model: &Reader) -> Self {
-        let (material, body, own_start) = model.table("body", "the body that is heated", |t| {
-            let (material, body) = (Material::read(t, "material"), Body::read(t));
+        let ((material, over_temperature), body, own_start) = model.table("body", "the body that is heated", |t| {
+            let (material, body) = (Material::read_over_temperature(t, "material"), Body::read(t));
+            refuse_rods(t, &body, material.1.is_constant());
             let start = t.quantity("temperature", TEMPERATURE, "at the start; that of the surroundings if left out");
             let start = start.estimated(estimates::TEMPERATURE).optional();
             refuse_impossible(t, "temperature", start.unwrap_or(0.0));
@@ -152,6 +156,7 @@ impl Setup {
             .unwrap_or_default();
         let setup = Self {
             material,
+            over_temperature,
             body,
             sources,
             strips,

@@ -20,7 +20,7 @@ pub enum Condition {
         /// Name of the sides.
         sides: String,
         /// Heat flux under the strip, W/m².
-        flux: f64,
+        flux: Power,
         /// Width of the strip, m.
         width: f64,
         /// Place of its middle at t = 0: x (or y), m.
@@ -87,7 +87,9 @@ impl Condition {
     /// Times (s) at which the condition jumps.
     pub fn switches(&self) -> Vec<f64> {
         match self {
-            Self::Flux { flux: power, .. } | Self::Source { power, .. } => power.switches().collect(),
+            Self::Flux { flux: power, .. } | Self::MovingFlux { flux: power, .. } | Self::Source { power, .. } => {
+                power.switches().collect()
+            }
             _ => Vec::new(),
         }
     }
@@ -134,7 +136,7 @@ pub(super) struct MovingStrip {
     /// Sides with their coordinate at s = −1 and at s = 1.
     sides: Vec<(Side, f64, f64)>,
     thickness: Thickness,
-    flux: f64,
+    flux: Power,
     width: f64,
     start: f64,
     speed: f64,
@@ -145,7 +147,8 @@ impl MovingStrip {
         mesh: &Mesh,
         sides: &[Side],
         thickness: Thickness,
-        [flux, width, start, speed]: [f64; 4],
+        flux: Power,
+        [width, start, speed]: [f64; 3],
     ) -> Result<Self, ThermalError> {
         ThermalError::check(width > 0.0 && width.is_finite(), "width of the strip (m)", "above zero", width)?;
         ThermalError::check(start.is_finite(), "start of the strip (m)", "finite", start)?;
@@ -167,9 +170,13 @@ impl MovingStrip {
         Ok(Self { sides, thickness, flux, width, start, speed })
     }
 
-    /// Adds the heat (W) at `time` to `add(node, W)`, integrated exactly over the part of each side under the
+    /// Adds the heat (W) at `time` of a step to `add(node, W)`, integrated exactly over the part of each side under the
     /// strip.
-    pub fn heat(&self, mesh: &Mesh, time: f64, mut add: impl FnMut(usize, f64)) {
+    pub fn heat(&self, mesh: &Mesh, (time, step): (f64, [f64; 2]), mut add: impl FnMut(usize, f64)) {
+        let flux = self.flux.within(time, step);
+        if flux == 0.0 {
+            return;
+        }
         let middle = self.start + self.speed * time;
         for &(side, from, to) in &self.sides {
             // s at the ends of the strip; the side may run either way
@@ -179,7 +186,7 @@ impl MovingStrip {
                 continue;
             }
             let shares = mesh.curve(side).shape_integrals(self.thickness, [a.min(b), a.max(b)]);
-            let factor = self.flux * self.thickness.scale();
+            let factor = flux * self.thickness.scale();
             for (&node, share) in mesh.side_nodes(side).as_slice().iter().zip(shares) {
                 add(node as usize, factor * share);
             }

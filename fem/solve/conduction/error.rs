@@ -44,6 +44,16 @@ pub enum ThermalError {
         /// Begin of the step, s.
         time: f64,
     },
+    /// The body is warmer or colder than its properties are known.
+    #[error("properties are known {:.1} to {:.1} K above the start, and the body is {:.1} to {:.1} K above it at {time} s", known[0], known[1], reached[0], reached[1])]
+    Unknown {
+        /// End of the step, s.
+        time: f64,
+        /// Rises of the coldest and of the hottest node, K.
+        reached: [f64; 2],
+        /// Rises between which all properties are known, K.
+        known: [f64; 2],
+    },
     /// Nothing holds the temperature of a piece of the mesh, so that it has no steady state.
     #[error("the body of element {element} is insulated: its steady temperature is undetermined")]
     Insulated {

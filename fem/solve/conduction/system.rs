@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::conditions::{Amplitude, MovingStrip, Supply, side_shares};
 use super::surface::Surface;
-use super::{Condition, History, ThermalError};
+use super::{Condition, History, Properties, ThermalError};
 use crate::element::plane::{Capacity, Conduction, EDGE_NODES, MAX_NODES, Square, Thickness};
 use crate::mesh::{Mesh, Side};
 use crate::solve::sparse::{Analysis, Freedoms, Graph, Matrix, Order, Pattern, Solver};
@@ -13,6 +13,8 @@ use crate::solve::sparse::{Analysis, Freedoms, Graph, Matrix, Order, Pattern, So
 pub(super) const MAX_ITERATIONS: usize = 60;
 /// Changes of temperatures at which they have, K: far above round-off of a thousand kelvin, far below what anybody measures.
 const REST: f64 = 1e-9;
+/// How far beyond the table of a property a temperature may be by the rounding of units, K.
+const SLACK: f64 = 1e-6;
 
 /// A body with its conditions, assembled.
 pub struct ThermalSystem<'m> {
@@ -33,7 +35,41 @@ pub struct ThermalSystem<'m> {
     pub(super) stores: Vec<f64>,
     pub(super) switches: Vec<f64>,
     ambients: Vec<Supply>,
-    pub(super) surfaces: Vec<Surface>,
+    surfaces: Vec<Surface>,
+    varying: Option<Varying>,
+}
+
+/// Properties that change with the temperature, and the conduction alone with those of the start, W/K.
+struct Varying {
+    properties: Properties,
+    conduction: Matrix,
+}
+
+/// What a kelvin of each node's Kirchhoff temperature changes.
+#[derive(Debug)]
+pub(super) struct Slopes {
+    /// Loss by surfaces, W/K.
+    surfaces: Vec<f64>,
+    /// Where properties change.
+    varying: Option<Relative>,
+}
+
+/// What a kelvin of each node's Kirchhoff temperature makes of the others.
+#[derive(Debug)]
+struct Relative {
+    /// Of its temperature.
+    warm: Vec<f64>,
+    /// Of its enthalpy.
+    enthalpies: Vec<f64>,
+}
+
+impl Slopes {
+    /// Changes of Kirchhoff temperatures as changes of enthalpies.
+    pub fn to_enthalpies(&self, changes: &mut [f64]) {
+        if let Some(Relative { enthalpies, .. }) = &self.varying {
+            changes.iter_mut().zip(enthalpies).for_each(|(change, slope)| *change *= slope);
+        }
+    }
 }
 
 impl<'m> ThermalSystem<'m> {
@@ -44,6 +80,20 @@ impl<'m> ThermalSystem<'m> {
     pub fn new(
         mesh: &'m Mesh,
         law: Conduction,
+        capacity: Capacity,
+        conditions: &[Condition],
+    ) -> Result<Self, ThermalError> {
+        Self::over_temperature(mesh, law, None, capacity, conditions)
+    }
+
+    /// The same of a material whose `properties` change with its temperature: `law` has those at zero.
+    ///
+    /// # Errors
+    /// A value out of range, sides or nodes that do not exist.
+    pub fn over_temperature(
+        mesh: &'m Mesh,
+        law: Conduction,
+        properties: Option<Properties>,
         capacity: Capacity,
         conditions: &[Condition],
     ) -> Result<Self, ThermalError> {
@@ -59,6 +109,11 @@ impl<'m> ThermalSystem<'m> {
         let capacity = Matrix::assemble::<1>(mesh, &pattern, &freedoms, |_, sampled, coordinates, square| {
             law.capacity(capacity, sampled, coordinates, square);
         })?;
+        let varying = properties.map(|properties| {
+            properties.check()?;
+            Ok::<_, ThermalError>(Varying { properties, conduction: conductance.clone() })
+        });
+        let varying = varying.transpose()?;
         let mut ambients = convections(&mut conductance, mesh, &freedoms, &law, conditions)?;
         let ones = vec![1.0; freedoms.len()];
         let stores = capacity.multiply(&ones);
@@ -95,6 +150,7 @@ impl<'m> ThermalSystem<'m> {
             switches,
             ambients,
             surfaces: Surface::of(mesh, law.thickness, conditions)?,
+            varying,
         })
     }
 
@@ -107,19 +163,22 @@ impl<'m> ThermalSystem<'m> {
         let mut heat = vec![0.0; self.freedoms.len()];
         self.supply(time, [time; 2], &mut heat);
         self.add_ambient(time, [time; 2], &mut heat);
-        let mut temperatures = vec![0.0; self.freedoms.len()];
-        self.set_held(time, &mut temperatures);
+        let mut enthalpies = vec![0.0; self.freedoms.len()];
+        self.set_held(time, &mut enthalpies);
         for _ in 0..MAX_ITERATIONS {
-            let (mut supplied, mut slopes) = (heat.clone(), vec![0.0; heat.len()]);
-            self.lose((time, [time; 2]), &temperatures, &mut supplied, &mut slopes);
-            supplied.iter_mut().zip(&slopes).zip(&temperatures).for_each(|((heat, slope), own)| *heat += slope * own);
-            let matrix = self.with_slopes(&self.conductance, 1.0, &slopes);
+            let mut missing = heat.clone();
+            let (_, slopes) = self.lose((time, [time; 2]), &enthalpies, &mut missing);
+            self.conductance.multiply_add(-1.0, &enthalpies, &mut missing);
+            let matrix = self.tangent(&slopes);
             let solver = Solver::new(&self.analysis, &matrix, &self.freedoms, self.mesh.nodes())?;
-            let before = temperatures.clone();
-            solver.solve(&matrix, &supplied, &mut temperatures)?;
-            let moved = temperatures.iter().zip(&before).map(|(now, before)| (now - before).abs()).fold(0.0, f64::max);
-            if self.surfaces.is_empty() || is_at_rest(moved) {
-                return Ok(self.freedoms.scatter(&temperatures));
+            let mut change = vec![0.0; enthalpies.len()];
+            solver.solve(&matrix, &missing, &mut change)?;
+            slopes.to_enthalpies(&mut change);
+            enthalpies.iter_mut().zip(&change).for_each(|(own, change)| *own += change);
+            let moved = change.iter().map(|own| own.abs()).fold(0.0, f64::max);
+            if self.is_linear() || is_at_rest(moved) {
+                self.check_known(time, &enthalpies)?;
+                return Ok(self.scattered(&enthalpies));
             }
         }
         Err(ThermalError::NoBalance { time })
@@ -137,10 +196,49 @@ impl<'m> ThermalSystem<'m> {
         self.conductance.bytes() + self.capacity.bytes() + self.conductance.pattern().bytes()
     }
 
-    /// Writes the prescribed temperatures at `time` into `temperatures` (in the order of the matrix).
-    pub(super) fn set_held(&self, time: f64, temperatures: &mut [f64]) {
-        for (temperature, history) in temperatures[self.freedoms.free()..].iter_mut().zip(&self.held) {
-            *temperature = history.at(time);
+    /// Whether what the body loses and conducts is in proportion to its temperature.
+    pub(super) fn is_linear(&self) -> bool {
+        self.surfaces.is_empty() && self.varying.is_none()
+    }
+
+    /// Temperature of what has an enthalpy, K of the capacity at the start.
+    pub(super) fn temperature(&self, enthalpy: f64) -> f64 {
+        self.varying.as_ref().map_or(enthalpy, |v| v.properties.heat_capacity.inverse(enthalpy).0)
+    }
+
+    /// Enthalpy (K) of what has a temperature.
+    pub(super) fn enthalpy(&self, temperature: f64) -> f64 {
+        self.varying.as_ref().map_or(temperature, |v| v.properties.heat_capacity.at(temperature).0)
+    }
+
+    /// Temperatures of all nodes of these enthalpies (in the order of the matrix).
+    pub(super) fn scattered(&self, enthalpies: &[f64]) -> Vec<f64> {
+        let mut all = self.freedoms.scatter(enthalpies);
+        if self.varying.is_some() {
+            all.iter_mut().for_each(|own| *own = self.temperature(*own));
+        }
+        all
+    }
+
+    /// # Errors
+    /// The body is warmer or colder at `time` than its properties are known.
+    pub(super) fn check_known(&self, time: f64, enthalpies: &[f64]) -> Result<(), ThermalError> {
+        let Some(Varying { properties, .. }) = &self.varying else { return Ok(()) };
+        let known = properties.known;
+        let reached = enthalpies
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], own| [f64::min(low, *own), f64::max(high, *own)]);
+        let reached = reached.map(|own| self.temperature(own));
+        match reached[0] >= known[0] - SLACK && reached[1] <= known[1] + SLACK {
+            true => Ok(()),
+            false => Err(ThermalError::Unknown { time, reached, known }),
+        }
+    }
+
+    /// Writes the enthalpies of the prescribed temperatures at `time` into `enthalpies` (in the order of the matrix).
+    pub(super) fn set_held(&self, time: f64, enthalpies: &mut [f64]) {
+        for (enthalpy, history) in enthalpies[self.freedoms.free()..].iter_mut().zip(&self.held) {
+            *enthalpy = self.enthalpy(history.at(time));
         }
     }
 
@@ -148,7 +246,7 @@ impl<'m> ThermalSystem<'m> {
     pub(super) fn supply(&self, time: f64, step: [f64; 2], heat: &mut [f64]) -> f64 {
         let mut sum = self.add_supplies(&self.supplies, time, step, heat);
         for strip in &self.strips {
-            strip.heat(self.mesh, time, |node, own| {
+            strip.heat(self.mesh, (time, step), |node, own| {
                 heat[self.freedoms.number(node)] += own;
                 sum += own;
             });
@@ -174,32 +272,69 @@ impl<'m> ThermalSystem<'m> {
         sum
     }
 
-    /// Takes what surfaces lose at these temperatures (in the order of the matrix) and at `time` of a step off the heat (W), and adds what
-    /// a kelvin makes of it (W/K). The sum of what they lose.
-    pub(super) fn lose(&self, at: (f64, [f64; 2]), temperatures: &[f64], heat: &mut [f64], slopes: &mut [f64]) -> f64 {
+    /// Takes off the heat (W) what nodes with these enthalpies (in the order of the matrix) lose by surfaces at `time` of a
+    /// step, and conduct and lose otherwise than in proportion to their enthalpy. The sum of what is lost so, and the slopes
+    /// of it.
+    pub(super) fn lose(&self, at: (f64, [f64; 2]), enthalpies: &[f64], heat: &mut [f64]) -> (f64, Slopes) {
+        let mut slopes = Slopes { surfaces: vec![0.0; enthalpies.len()], varying: None };
         let mut sum = 0.0;
+        let warm: Option<Vec<f64>> = self.varying.as_ref().map(|Varying { properties, conduction }| {
+            let (mut warm, mut by_film, mut conducted) = (Vec::new(), Vec::new(), Vec::new());
+            let mut relative = Relative { warm: Vec::new(), enthalpies: Vec::new() };
+            for enthalpy in enthalpies {
+                let (own, of_enthalpy) = properties.heat_capacity.inverse(*enthalpy);
+                let (transformed, steep) = properties.conductivity.at(own);
+                warm.push(own);
+                by_film.push(own - enthalpy);
+                conducted.push(transformed - own);
+                relative.warm.push(steep.recip());
+                relative.enthalpies.push((steep * of_enthalpy).recip());
+            }
+            self.conductance.multiply_add(-1.0, &by_film, heat);
+            conduction.multiply_add(-1.0, &conducted, heat);
+            sum += self.losses.iter().zip(&by_film).map(|(loss, own)| loss * own).sum::<f64>();
+            slopes.varying = Some(relative);
+            warm
+        });
+        let warm = warm.as_deref().unwrap_or(enthalpies);
         for surface in &self.surfaces {
             surface.lose(
                 at,
-                |node| temperatures[self.freedoms.number(node)],
+                |node| warm[self.freedoms.number(node)],
                 |node, lost, slope| {
                     let number = self.freedoms.number(node);
                     heat[number] -= lost;
-                    slopes[number] += slope;
+                    slopes.surfaces[number] += slope * slopes.varying.as_ref().map_or(1.0, |own| own.warm[number]);
                     sum += lost;
                 },
             );
         }
-        sum
+        (sum, slopes)
     }
 
-    /// A matrix with what surfaces add to its diagonal, `factor` times.
-    pub(super) fn with_slopes(&self, matrix: &Matrix, factor: f64, slopes: &[f64]) -> Matrix {
-        let mut matrix = matrix.clone();
-        for (number, slope) in slopes.iter().enumerate().filter(|(_, slope)| **slope != 0.0) {
-            matrix.add_diagonal(number, factor * slope);
+    /// What a kelvin of Kirchhoff's temperature conducts and loses, W/K: it conducts in proportion. Films between nodes of
+    /// different properties are taken with the mean of two, which keeps the matrix symmetric and is near enough for Newton's
+    /// steps.
+    pub(super) fn tangent(&self, slopes: &Slopes) -> Matrix {
+        let mut matrix = match (&self.varying, &slopes.varying) {
+            (Some(Varying { conduction, .. }), Some(Relative { warm, .. })) => {
+                let films = self.conductance.combined(1.0, conduction, -1.0);
+                conduction.combined(1.0, &films.averaged(warm), 1.0)
+            }
+            _ => self.conductance.clone(),
+        };
+        for (number, slope) in slopes.surfaces.iter().enumerate().filter(|(_, slope)| **slope != 0.0) {
+            matrix.add_diagonal(number, *slope);
         }
         matrix
+    }
+
+    /// What a kelvin of Kirchhoff's temperature stores, J/K, in the same way.
+    pub(super) fn stored(&self, slopes: &Slopes) -> Matrix {
+        match &slopes.varying {
+            Some(Relative { enthalpies, .. }) => self.capacity.averaged(enthalpies),
+            None => self.capacity.clone(),
+        }
     }
 
     /// Every piece of the mesh must lose heat somewhere, or have a prescribed temperature.
@@ -322,9 +457,10 @@ fn supplies(
                 supplies.push(Supply { shares: shares.clone(), amplitude: Amplitude::Switched(power.clone()) });
             }
             Condition::MovingFlux { sides, flux, width, start, speed } => {
-                ThermalError::check(flux.is_finite(), "flux (W/m²)", "finite", *flux)?;
+                let wrong = flux.infinite();
+                ThermalError::check(wrong.is_none(), "flux (W/m²)", "finite", wrong.unwrap_or(0.0))?;
                 let sides = mesh.sides(sides)?;
-                strips.push(MovingStrip::new(mesh, sides, law.thickness, [*flux, *width, *start, *speed])?);
+                strips.push(MovingStrip::new(mesh, sides, law.thickness, flux.clone(), [*width, *start, *speed])?);
             }
             Condition::Convection { .. }
             | Condition::Surface { .. }

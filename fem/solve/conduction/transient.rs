@@ -1,6 +1,6 @@
 //! Stepping through time: one factor for every length of step, steps that end where a source is switched.
 
-use super::system::{MAX_ITERATIONS, is_at_rest};
+use super::system::{MAX_ITERATIONS, Slopes, is_at_rest};
 use super::{Energy, Scheme, ThermalError, ThermalSystem};
 use crate::solve::sparse::{Matrix, Solver};
 
@@ -23,6 +23,7 @@ pub struct Run {
 pub struct Instant<'t> {
     /// Time, s.
     pub time: f64,
+    /// Enthalpies in the order of the matrix.
     numbered: &'t [f64],
     system: &'t ThermalSystem<'t>,
 }
@@ -30,12 +31,12 @@ pub struct Instant<'t> {
 impl Instant<'_> {
     /// Temperature of a node.
     pub fn at(&self, node: usize) -> f64 {
-        self.numbered[self.system.freedoms.number(node)]
+        self.system.temperature(self.numbered[self.system.freedoms.number(node)])
     }
 
     /// Temperatures of all nodes.
     pub fn temperatures(&self) -> Vec<f64> {
-        self.system.freedoms.scatter(self.numbered)
+        self.system.scattered(self.numbered)
     }
 }
 
@@ -64,9 +65,11 @@ impl ThermalSystem<'_> {
             return Err(ThermalError::Initial { given: initial.len(), nodes });
         }
         let mut state = self.freedoms.gather(initial);
+        state.iter_mut().for_each(|own| *own = self.enthalpy(*own));
         let mut energy = Energy::default();
         let mut stepper: Option<Stepper<'_>> = None;
         self.jump(0.0, &mut state, &mut energy);
+        self.check_known(0.0, &state)?;
         observe(Instant { time: 0.0, numbered: &state, system: self });
         for [from, to] in self.intervals(run.end) {
             let count = ((to - from) / run.step - 1e-9).ceil().max(1.0);
@@ -81,6 +84,7 @@ impl ThermalSystem<'_> {
                 let time = from + step as f64 * length;
                 own.step(time, &mut state, &mut energy)?;
                 let time = if step + 1 == count as usize { to } else { time + length };
+                self.check_known(time, &state)?;
                 observe(Instant { time, numbered: &state, system: self });
             }
             stepper = Some(own);
@@ -111,11 +115,11 @@ struct Stepper<'s> {
     system: &'s ThermalSystem<'s>,
     scheme: Scheme,
     length: f64,
-    solver: Solver,
-    /// C + γ Δt K, and what surfaces add to that where it was factored.
+    /// C + γ Δt K.
     matrix: Matrix,
-    /// What a kelvin makes of the heat that surfaces lose, W/K, where it was factored.
-    slopes: Vec<f64>,
+    /// What was factored in its place, and its slopes: what surfaces and properties made of it at the time.
+    tangent: Option<(Matrix, Slopes)>,
+    solver: Solver,
     /// Rates k of the stages (K/s), the heat and the temperatures of a stage: kept between steps.
     rates: Vec<Vec<f64>>,
     heat: Vec<f64>,
@@ -128,18 +132,17 @@ impl<'s> Stepper<'s> {
         let solver = Solver::new(&system.analysis, &matrix, &system.freedoms, system.mesh.nodes())?;
         let size = system.freedoms.len();
         let rates = vec![vec![0.0; size]; scheme.weights().len()];
-        let [heat, base, slopes] = [(); 3].map(|()| vec![0.0; size]);
-        Ok(Self { system, scheme, length, solver, matrix, slopes, rates, heat, base })
+        let [heat, base] = [(); 2].map(|()| vec![0.0; size]);
+        Ok(Self { system, scheme, length, matrix, tangent: None, solver, rates, heat, base })
     }
 
-    /// Factors anew with these slopes of what surfaces lose, W/K.
-    fn factor(&mut self, slopes: Vec<f64>) -> Result<(), ThermalError> {
+    /// Factors anew with these slopes.
+    fn factor(&mut self, slopes: Slopes) -> Result<(), ThermalError> {
         let system = self.system;
         let reach = self.scheme.gamma() * self.length;
-        let matrix = system.capacity.combined(1.0, &system.conductance, reach);
-        self.matrix = system.with_slopes(&matrix, reach, &slopes);
-        self.solver = Solver::new(&system.analysis, &self.matrix, &system.freedoms, system.mesh.nodes())?;
-        self.slopes = slopes;
+        let tangent = system.stored(&slopes).combined(1.0, &system.tangent(&slopes), reach);
+        self.solver = Solver::new(&system.analysis, &tangent, &system.freedoms, system.mesh.nodes())?;
+        self.tangent = Some((tangent, slopes));
         Ok(())
     }
 
@@ -187,7 +190,7 @@ impl<'s> Stepper<'s> {
         for (rate, base) in rates[free..].iter_mut().zip(&self.base[free..]) {
             *rate = (*rate - base) / (part * self.length);
         }
-        let by_surfaces = if system.surfaces.is_empty() {
+        let otherwise = if system.is_linear() {
             self.matrix.add_held_columns(-1.0, rates, &mut self.heat);
             rates[..free].copy_from_slice(&self.heat[..free]);
             self.solver.solve_unchecked(&mut rates[..free]);
@@ -202,14 +205,15 @@ impl<'s> Stepper<'s> {
         let prescribed: f64 = missing[free..].iter().zip(&self.heat[free..]).map(|(row, heat)| row - heat).sum();
         let lost = |((loss, base), rate): ((&f64, &f64), &f64)| loss * (base + gamma * self.length * rate);
         let convected =
-            system.losses.iter().zip(&self.base).zip(rates).map(lost).sum::<f64>() - from_ambient + by_surfaces;
+            system.losses.iter().zip(&self.base).zip(rates).map(lost).sum::<f64>() - from_ambient + otherwise;
         let span = weight * self.length;
         energy.add(0.0, span * supplied, span * convected, span * prescribed);
         Ok(())
     }
 
-    /// The rates of a stage at `time` of a step with which surfaces lose what they do at the temperatures that these lead to; the sum of
-    /// that, W. By Newton's steps with the slopes that were factored last, and new ones where these come near too slowly.
+    /// The rates of a stage at `time` of a step with which the body loses and conducts what it does at the temperatures that
+    /// these lead to; the sum of what it loses otherwise than in proportion to its enthalpy, W. By Newton's steps with the
+    /// tangent that was factored last, and a new one where these come near too slowly.
     fn balance(&mut self, stage: usize, at: (f64, [f64; 2])) -> Result<f64, ThermalError> {
         let system = self.system;
         let (free, reach) = (system.freedoms.free(), self.scheme.gamma() * self.length);
@@ -220,32 +224,39 @@ impl<'s> Stepper<'s> {
         self.rates[stage][..free].copy_from_slice(&near);
         let mut last = f64::INFINITY;
         for _ in 0..MAX_ITERATIONS {
-            let temperatures: Vec<f64> =
+            let own: Vec<f64> =
                 self.base.iter().zip(&self.rates[stage]).map(|(base, rate)| base + reach * rate).collect();
-            let mut slopes = vec![0.0; temperatures.len()];
             self.heat.copy_from_slice(&supplied);
-            let lost = system.lose(at, &temperatures, &mut self.heat, &mut slopes);
-            let old = self.rates[stage].clone();
-            for ((heat, slope), rate) in self.heat.iter_mut().zip(&self.slopes).zip(&old) {
-                *heat += slope * reach * rate;
+            let (lost, slopes) = system.lose(at, &own, &mut self.heat);
+            let mut change = self.heat.clone();
+            self.matrix.multiply_add(-1.0, &self.rates[stage], &mut change);
+            self.solver.solve_unchecked(&mut change[..free]);
+            change[free..].fill(0.0);
+            let solved = change.clone();
+            if let Some((_, slopes)) = &self.tangent {
+                slopes.to_enthalpies(&mut change);
             }
-            let mut right = self.heat.clone();
-            self.matrix.add_held_columns(-1.0, &self.rates[stage], &mut right);
-            let rates = &mut self.rates[stage];
-            rates[..free].copy_from_slice(&right[..free]);
-            self.solver.solve_unchecked(&mut rates[..free]);
-            let moved = rates.iter().zip(&old).map(|(now, old)| reach * (now - old).abs()).fold(0.0, f64::max);
+            self.rates[stage].iter_mut().zip(&change).for_each(|(rate, change)| *rate += change);
+            let moved = reach * change.iter().map(|own| own.abs()).fold(0.0, f64::max);
             if is_at_rest(moved) {
-                let further =
-                    rates.iter().zip(&old).zip(&self.slopes).map(|((now, old), slope)| slope * reach * (now - old));
-                return Ok(lost + further.sum::<f64>());
+                return Ok(lost + self.follow(&solved, &change));
             }
-            // Nothing was compared in the first round, but that the factor has no slopes at all is slow for sure.
-            if moved > SLOW * last || self.slopes.iter().all(|own| *own == 0.0) {
+            // Nothing was compared in the first round, but that a factor without any slope is slow for sure.
+            if moved > SLOW * last || self.tangent.is_none() {
                 self.factor(slopes)?;
             }
             last = moved;
         }
         Err(ThermalError::NoBalance { time: at.1[0] })
+    }
+
+    /// Takes off the heat what the last change of the rates, as it was solved for and as it is, adds to losses and conduction by the tangent, so that the balance
+    /// closes but for rounding. The sum, W.
+    fn follow(&mut self, solved: &[f64], change: &[f64]) -> f64 {
+        let Some((tangent, _)) = &self.tangent else { return 0.0 };
+        let mut further = tangent.multiply(solved);
+        self.matrix.multiply_add(-1.0, change, &mut further);
+        self.heat.iter_mut().zip(&further).for_each(|(heat, own)| *heat -= own);
+        further.iter().sum()
     }
 }

@@ -36,6 +36,19 @@ impl Matrix {
         Self { pattern: Arc::clone(&self.pattern), values }
     }
 
+    /// Every entry times the mean of the factors of its row and of its column.
+    #[must_use]
+    pub fn averaged(&self, factors: &[f64]) -> Self {
+        let mut own = self.clone();
+        for (column, factor) in factors.iter().enumerate() {
+            let start = self.pattern.starts[column] as usize;
+            for (&row, value) in self.pattern.column(column).iter().zip(&mut own.values[start..]) {
+                *value *= 0.5 * (factor + factors[row as usize]);
+            }
+        }
+        own
+    }
+
     /// Adds to the diagonal entry of a column.
     pub fn add_diagonal(&mut self, number: usize, value: f64) {
         self.values[self.pattern.starts[number] as usize] += value;

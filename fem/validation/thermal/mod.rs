@@ -5,6 +5,7 @@ mod benchmarks;
 mod cooling;
 mod effects;
 mod inputs;
+mod over_temperature;
 mod plates;
 mod revolved;
 mod rig;
@@ -18,6 +19,14 @@ use crate::validation::Case;
 /// Every case.
 pub fn cases() -> Vec<Case> {
     let all = [series::cases(), effects::cases(), benchmarks::cases(), plates::cases(), cooling::cases()];
-    [all.concat(), inputs::cases(), surroundings::cases(), revolved::cases(), tubes::cases(), surfaces::cases()]
-        .concat()
+    [
+        all.concat(),
+        inputs::cases(),
+        surroundings::cases(),
+        revolved::cases(),
+        tubes::cases(),
+        surfaces::cases(),
+        over_temperature::cases(),
+    ]
+    .concat()
 }

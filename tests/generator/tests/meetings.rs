@@ -1,4 +1,4 @@
-//! Every pair of effects of every process, in every scene that admits it.
+//! Every pair of effects of every process, in two of the scenes that admit it, and another pair in others.
 
 use generator::{AXIS, CAM, CONTOUR, FIXTURE, Process, RING, ROTARY, STIFFNESS, THERMAL, TURNING};
 
@@ -21,8 +21,9 @@ fn every_effect_shows_in_some_scene() {
 fn every_pair_meets_somewhere() {
     for process in ALL {
         let (mut count, mut largest) = (0, 0.0_f64);
-        for pair in process.pairs() {
-            let meetings = (0..process.scenes.len()).filter_map(|scene| process.meeting(&pair, scene, 1));
+        for (number, pair) in process.pairs().into_iter().enumerate() {
+            let begun = (0..process.scenes.len()).map(|scene| (number + scene) % process.scenes.len());
+            let meetings = begun.filter_map(|scene| process.meeting(&pair, scene, 1)).take(2);
             let before = count;
             for met in meetings {
                 count += 1;

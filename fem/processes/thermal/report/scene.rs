@@ -6,6 +6,7 @@ use super::super::body::{Body, Plane};
 use super::super::follow::{Followed, Look, unsolvable};
 use super::super::forward::{follow, run};
 use super::super::machine::Machine;
+use super::super::over_temperature::Laws;
 use super::super::rows::{TIME_OF_ROW, elongations, of_circle, temperatures};
 use super::super::setup::Setup;
 use super::super::{plate, rod};
@@ -74,6 +75,7 @@ struct Flat {
     system: ElasticSystem<Arc<Mesh>>,
     mesh: Arc<Mesh>,
     law: Elasticity,
+    laws: Laws,
 }
 
 impl Scene {
@@ -211,19 +213,20 @@ impl Flat {
         let mesh = plane.mesh(setup.element_size, &plate::sections(machine)).map_err(|e| unsolvable(&e))?;
         let law = plate::elasticity(setup, plane)?;
         let system = ElasticSystem::free(mesh.clone(), law).map_err(|e| unsolvable(&e))?;
-        Ok(Self { plane: plane.clone(), system, mesh, law })
+        Ok(Self { plane: plane.clone(), system, mesh, law, laws: Laws::of(setup) })
     }
 
     fn grid(&self, rises: &[f64]) -> Grid {
         let (mesh, mut grid) = (&self.mesh, Grid::of(&self.mesh));
+        let rises: Vec<f64> = rises.iter().map(|rise| self.laws.grown(*rise)).collect();
         let mut loads = Loads::none(mesh);
-        loads.add_temperature(mesh, &self.law, rises);
+        loads.add_temperature(mesh, &self.law, &rises);
         // Thermal loads are in equilibrium and finite, and the body has been factored: what is left to fail
         // shows as not a number.
         let solved = self.system.solve(&loads).map(|s| s.nodes);
         let mut displacements = solved.unwrap_or_else(|_| vec![[f64::NAN; 2]; mesh.nodes().len()]);
         self.level(&mut displacements);
-        let stresses = nodal_stresses(mesh, &self.law, &displacements, rises);
+        let stresses = nodal_stresses(mesh, &self.law, &displacements, &rises);
         let stress = stresses.iter().map(|[xx, yy, xy, across]| [*xx, *yy, *across, *xy, 0.0, 0.0]).collect();
         let displacement = displacements.iter().map(|[u, v]| [*u, *v, 0.0]).collect();
         grid.point_fields.push(Field::vector("displacement", LENGTH, displacement));
