@@ -16,6 +16,8 @@ use crate::units::{Kind, NUMBER, Unit, UnitSymbol};
 /// Most columns that are used, and most words of one.
 const MOST: usize = 24;
 const MOST_WORDS: usize = 60;
+/// Cells of columns that are held at once.
+const MOST_CELLS: usize = 1_000_000;
 /// Correlation from which a column says what another says, and what was observed; and fewest rows that show it.
 const SAME: f64 = 1.0 - 1e-9;
 const FOLLOWS: f64 = 0.999;
@@ -35,10 +37,13 @@ pub struct Recorded {
 /// not said in what they are.
 pub fn read(header: &Header, cells: &[String], records: &Records) -> (Vec<Recorded>, Vec<String>) {
     let (mut used, mut notes): (Vec<Recorded>, Vec<String>) = (Vec::new(), Vec::new());
-    let unknown = header.columns.iter().enumerate().filter(|(_, own)| **own == Column::Unknown).map(|(i, _)| i);
-    for column in unknown {
+    let unknown: Vec<usize> = (0..header.columns.len()).filter(|i| header.columns[*i] == Column::Unknown).collect();
+    // Of many columns so many at once that the records are not read again for each, and that they stay few in memory.
+    let each = (MOST_CELLS / records.len().max(1)).max(1);
+    let of_columns = unknown.chunks(each).flat_map(|columns| columns.iter().copied().zip(columns_of(columns, records)));
+    for (column, own) in of_columns {
         let (name, unit) = name_and_unit(&cells[column]);
-        match content(column, unit, records) {
+        match content(own, unit, records) {
             _ if used.len() == MOST => notes.push(format!("the column `{name}` is not used: {MOST} others are")),
             Ok((holds, values)) => {
                 if holds == Holds::Quantity(NUMBER) {
@@ -56,14 +61,22 @@ pub fn read(header: &Header, cells: &[String], records: &Records) -> (Vec<Record
     (used, notes)
 }
 
-/// What a column holds, and its values, SI.
-fn content(column: usize, unit: &str, records: &Records) -> Result<(Holds, Vec<f64>), String> {
-    let count = records.len();
-    let mut cells: Vec<String> = Vec::with_capacity(count);
+/// The cells of some columns, record by record.
+fn columns_of(columns: &[usize], records: &Records) -> Vec<Vec<String>> {
+    let mut cells: Vec<Vec<String>> = columns.iter().map(|_| Vec::with_capacity(records.len())).collect();
     let mut reader = records.reader();
-    for number in 0..count {
-        cells.push(reader.read(number).get(column).unwrap_or_default().trim().to_string());
+    for number in 0..records.len() {
+        let record = reader.read(number);
+        for (own, column) in cells.iter_mut().zip(columns) {
+            own.push(record.get(*column).unwrap_or_default().trim().to_string());
+        }
     }
+    cells
+}
+
+/// What a column with these cells holds, and its values, SI.
+fn content(cells: Vec<String>, unit: &str, records: &Records) -> Result<(Holds, Vec<f64>), String> {
+    let count = cells.len();
     let empty = cells.iter().filter(|cell| cell.is_empty()).count();
     if empty == count {
         return Err("it is empty".into());

@@ -314,7 +314,7 @@ fn friction_on_a_long_screw_is_told_from_play() {
     let drives =
         "\nx = { screw = { material = \"steel\", diameter = \"32 mm\", fixed_at = \"-400 mm\" } }\n\n[tolerance]";
     place.write("contour.toml", text.replace("\n[tolerance]", drives));
-    let degrees: Vec<f64> = (0..120).map(|i| 3.0 * f64::from(i) + 1.0).collect();
+    let degrees: Vec<f64> = (0..72).map(|i| 5.0 * f64::from(i) + 1.0).collect();
     let mut measured = String::from("angle [deg],direction,deviation [um],u [um]\n");
     for (way, sign) in [("ccw", 1.0), ("cw", -1.0)] {
         for (i, deviation) in rubbing(900.0, 300.0, sign, &degrees).into_iter().enumerate() {

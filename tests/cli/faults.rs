@@ -63,7 +63,7 @@ fn long_lines_are_told_in_part() {
 fn sizes_that_take_too_much_are_refused_with_a_remedy() {
     let place = Place::new();
     place.write("plate.toml", model("ground-plate.toml").replace("height = \"40 mm\"", "height = \"40 m\""));
-    refused(&place, &["run", "plate.toml"], "elements; at most 60000 are computed with");
+    refused(&place, &["run", "plate.toml"], "elements; at most 50000 are computed with");
     place.write("batch.toml", model("lathe.toml").replace("parts = 12", "parts = 110000"));
     refused(&place, &["run", "batch.toml"], "are more than 1000000 points");
 }

@@ -82,6 +82,7 @@ fn tables_are_added_behind_what_is_there() {
         ),
     ];
     place.write("covariance.csv", "row,column,covariance\n1,1,4\n2,2,9\n1,2,1\n");
+    let without = place.fem(&["run", AXIS]).out;
     for (words, expected) in cases {
         let answer = place.fem(&[&["add", AXIS], *words, &["-o", "new.toml", "--force"]].concat());
         assert_eq!(answer.status, if expected.is_empty() { 2 } else { 0 }, "{}", answer.err);
@@ -90,8 +91,8 @@ fn tables_are_added_behind_what_is_there() {
             assert_eq!(new.strip_prefix(&model("zeros/axis.toml")).unwrap(), format!("\n{expected}"));
             assert_eq!(answer.err.contains("unknown (`?`)"), expected.contains('?'), "{}", answer.err);
             // A run predicts the part, and what the instrument does to it is no part of that; it says so.
-            let [with, without] = ["new.toml", AXIS].map(|name| place.fem(&["run", name]));
-            assert_eq!((with.status, with.out.lines().count()), (0, without.out.lines().count() + 3), "{}", with.out);
+            let with = place.fem(&["run", "new.toml"]);
+            assert_eq!((with.status, with.out.lines().count()), (0, without.lines().count() + 3), "{}", with.out);
             assert!(with.out.contains("new.toml has, of the measurement: "), "{}", with.out);
         }
     }
@@ -447,7 +448,8 @@ fn what_is_found_is_added_and_nothing_is_left() {
 #[test]
 fn the_commands_that_are_shown_do_the_same() {
     let place = place();
-    let short = place.fem(&["diagnose", AXIS, "--with", DATA]).out;
+    let short = place.fem(&["diagnose", AXIS, "--with", DATA, "-o", "out"]).out;
+    let short = short.split("\nwritten").next().unwrap();
     assert!(short.contains("outliers: lines 41, 74;") && short.lines().count() <= 25, "{short}");
     let told = place.fem(&["diagnose", AXIS, "--with", DATA, "--verbose"]).out;
     for said in ["zero-shift by run, ", "  line 41 ", "  line 74 ", "measure a master between the groups"] {
@@ -468,12 +470,11 @@ fn the_commands_that_are_shown_do_the_same() {
     // A fit weighs the rows by the same covariance, and says so.
     let fitted = place.fem(&["fit", last, "--with", DATA]).out;
     assert!(fitted.contains("; outliers, 2 rows"), "{fitted}");
+    a_finding_tells_what_it_does_to_the_rows(&parsed(&place.read("out/diagnosis.json")));
 }
 
 /// Play moves the rows by its gap; rows that are wrong by themselves move no other.
-#[test]
-fn a_finding_tells_what_it_does_to_the_rows() {
-    let found = parsed(&place().fem(&["diagnose", AXIS, "--with", DATA, "--json"]).out);
+fn a_finding_tells_what_it_does_to_the_rows(found: &Json) {
     let missing = |name: &str| found["missing"].as_array().unwrap().iter().find(|m| m["effect"] == name).unwrap();
     let change = |name: &str| missing(name)["largest_change"]["value"].as_f64();
     let gap = missing("backlash")["parameters"]["gap"]["value"].as_f64().unwrap();

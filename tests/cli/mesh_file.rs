@@ -44,13 +44,9 @@ fn drawn_rings_agree_with_the_ring_of_equal_cells() {
     // elements three times as large.
     let [line, arc, position, both] =
         ["", ARC, POSITION, &format!("{ARC}{POSITION}")].map(|effects| deviations(&place, "radial = 6", effects));
-    for (name, drawn, cells) in [
-        ("ring-quad8.msh", "", &arc),
-        ("ring-quad8.msh", POSITION, &both),
-        ("ring-tri6.msh", "", &line),
-        ("ring-tri6.msh", ARC, &arc),
-        ("ring-tri6.msh", POSITION, &position),
-    ] {
+    for (name, drawn, cells) in
+        [("ring-quad8.msh", POSITION, &both), ("ring-tri6.msh", ARC, &arc), ("ring-tri6.msh", POSITION, &position)]
+    {
         let found = deviations(&place, &format!("file = \"{name}\""), drawn);
         let range = cells.iter().fold(0.0f64, |m, d| m.max(*d)) - cells.iter().fold(0.0f64, |m, d| m.min(*d));
         let worst = cells.iter().zip(&found).fold(0.0f64, |m, (a, b)| m.max((a - b).abs())) / range;

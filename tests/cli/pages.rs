@@ -22,11 +22,6 @@ fn the_docs_show_what_the_program_prints() {
         assert!(printed.contains(line), "the page shows a line that is not printed: {line}");
     }
     assert!(shown.lines().count() > 10);
-    let cases = fem::validation::PARTS.iter().map(|(_, cases)| cases().len()).sum::<usize>();
-    assert!(
-        include_str!("../../docs/validation.md").contains(&format!("computes {cases} cases")),
-        "there are {cases} cases"
-    );
 }
 
 #[test]

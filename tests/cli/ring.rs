@@ -86,7 +86,7 @@ const CASES: &[Mistake] = &[
     ("jaws = 3", "jaws = 4", "`jaw-position` is known of three jaws", "remove the effect"),
     ("\"3 kN\" ", "\"-3 kN\" ", "`jaw_force` is -3000 N", "zero or more"),
     ("circumferential = 360", "circumferential = 20", "20 elements around are too few for 3 jaws", "at least 24"),
-    ("radial = 6", "radial = 999", "elements are more than 120000", "360 around and 6 across"),
+    ("radial = 6", "radial = 999", "elements are more than 40000", "360 around and 6 across"),
     ("order = 2", "order = 3", "`order` is 3", "whole number from 1 to 2"),
     (
         "\"least-squares-circle\" ",

@@ -148,7 +148,7 @@ fn the_whole_of_predictions_of_machines() {
 #[test]
 fn a_sample_of_predicted_machines() {
     for process in PREDICTED.iter().filter(|(_, force)| force.is_some()) {
-        let all: Vec<_> = side_by_side(&[0, 1], |seed| promised(*process, *seed));
+        let all: Vec<_> = side_by_side(&[0], |seed| promised(*process, *seed));
         for own in all.into_iter().flatten().filter(|own| own.is_adequate) {
             let beyond = own.beyond.expect("the generator makes it");
             assert!(beyond.of_promised < 4.0 && own.within.of_promised < 4.0, "{}: {own:?}", process.0.name);

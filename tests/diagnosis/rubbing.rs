@@ -33,9 +33,9 @@ fn all(effect: &'static str, lambda: f64, seeds: impl Iterator<Item = u64>) -> V
 /// A sample: at thirty standard uncertainties friction is named, and nothing else is certain.
 #[test]
 fn the_support_that_rubs_is_named() {
-    let found: Vec<Told> = SUPPORTS.into_iter().flat_map(|effect| all(effect, 30.0, 0..4)).collect();
+    let found: Vec<Told> = SUPPORTS.into_iter().flat_map(|effect| all(effect, 30.0, 0..2)).collect();
     let count = |of: fn(&Told) -> bool| found.iter().filter(|own| of(own)).count();
-    assert!(found.len() >= 6, "{}", found.len());
+    assert!(found.len() >= 3, "{}", found.len());
     assert!(count(|own| own.named) + 1 >= found.len(), "{found:?}");
     assert!(count(|own| own.no_other) + 1 >= found.len(), "{found:?}");
 }

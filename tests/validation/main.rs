@@ -42,6 +42,15 @@ fn no_row_passes_with_another_expected_value() {
 }
 
 #[test]
+fn the_page_says_how_many_there_are() {
+    let cases: usize = TABLES.iter().map(|(_, cases)| cases.len()).sum();
+    assert!(
+        include_str!("../../docs/validation.md").contains(&format!("computes {cases} cases")),
+        "there are {cases} cases"
+    );
+}
+
+#[test]
 fn a_row_that_is_no_number_fails() {
     let case = Case { computed: f64::NAN, ..TABLES[0].1[0].clone() };
     assert!(!case.passed());

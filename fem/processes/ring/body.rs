@@ -8,8 +8,8 @@ use crate::input::{Cache, Reader};
 use crate::mesh::Mesh;
 use crate::units::LENGTH;
 
-/// Most elements: more than any ring needs, some seconds and 800 MB.
-const MOST_ELEMENTS: usize = 120_000;
+/// Most elements: more than any ring needs, and its factor and pictures take less than a gigabyte.
+const MOST_ELEMENTS: usize = 40_000;
 /// Elements from jaw to jaw, at least.
 const LEAST_PER_JAW: usize = 8;
 

@@ -13,8 +13,8 @@ use crate::units::LENGTH;
 /// Elements along a body where nobody says, and at most.
 const ALONG_ROD: [f64; 2] = [60.0, 20_000.0];
 const ALONG_PLANE: [f64; 2] = [40.0, 2_000.0];
-/// Most elements of a plane body: its factor takes some 300 MB.
-pub const MOST_CELLS: f64 = 60_000.0;
+/// Most elements of a plane body: its factors and pictures take less than a gigabyte.
+pub const MOST_CELLS: f64 = 50_000.0;
 /// Least number of elements across a rectangle.
 const ACROSS: usize = 4;
 
