@@ -2,9 +2,8 @@
 
 use std::sync::Arc;
 
-use super::body::Body;
 use super::setup::Setup;
-use crate::input::{Reader, Record};
+use crate::input::Record;
 use crate::solve::conduction::{Potential, Properties};
 
 /// What a body's heat and its growth follow.
@@ -55,17 +54,5 @@ impl Laws {
     /// The rise (K) by which a body that always expands as at the start would have grown as much.
     pub fn grown(&self, rise: f64) -> f64 {
         self.expansion.at(rise).0
-    }
-}
-
-/// Refuses properties over temperature where they are not computed with.
-pub fn refuse_rods(t: &Reader, body: &Body, is_constant: bool) {
-    if matches!(body, Body::Rod(_)) && !is_constant {
-        let help = "write it as a body of revolution: revolved = [{ length = \"200 mm\", diameter = \"20 mm\" }]";
-        t.problem(
-            "material",
-            "properties over temperature are known of plane bodies and of bodies of revolution",
-            help,
-        );
     }
 }

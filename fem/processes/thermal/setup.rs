@@ -6,7 +6,6 @@ use super::allowed::ALLOWED;
 use super::body::{Body, MOST_CELLS};
 use super::boundary::{self, Boundary, refuse_impossible};
 use super::circles;
-use super::over_temperature::refuse_rods;
 use super::source::{self, Source, Strip};
 use super::steps::Steps;
 use super::surroundings::{self, Surroundings};
@@ -251,6 +250,18 @@ impl Time {
             tolerance: tolerance.positive().or(0.01),
             scheme: t.choice("scheme", "how time is stepped through", SCHEMES).or_first(Scheme::Sdirk2),
         }
+    }
+}
+
+/// Refuses properties over temperature where they are not computed with.
+fn refuse_rods(t: &Reader, body: &Body, is_constant: bool) {
+    if matches!(body, Body::Rod(_)) && !is_constant {
+        let help = "write it as a body of revolution: revolved = [{ length = \"200 mm\", diameter = \"20 mm\" }]";
+        t.problem(
+            "material",
+            "properties over temperature are known of plane bodies and of bodies of revolution",
+            help,
+        );
     }
 }
 
