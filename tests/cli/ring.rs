@@ -244,3 +244,70 @@ fn a_column_that_no_chuck_can_give_is_refused() {
     assert_eq!(answer.status, 2);
     assert!(answer.err.contains("`jaw_force` is below zero"), "{}", answer.err);
 }
+
+/// A boring bar on a slide, a spindle in its bearing, for a ring whose blank is oval.
+const MACHINE: &str = r#"
+[structure]
+material = "steel"
+clamped = ["bed"]
+[structure.nodes]
+bed = ["300 mm", "-200 mm"]
+nose = ["0 mm", "0 mm"]
+slide = ["300 mm", "0 mm"]
+tip = ["60 mm", "0 mm"]
+[structure.bearing]
+at = "nose"
+along = "y"
+stiffness = "200 N/um"
+[structure.thrust]
+at = "nose"
+along = "x"
+stiffness = "300 N/um"
+[structure.square]
+at = "nose"
+along = "turning"
+stiffness = "5000 kN*m/rad"
+[structure.column]
+between = ["bed", "slide"]
+width = "200 mm"
+height = "200 mm"
+[structure.bar]
+between = ["slide", "tip"]
+diameter = "40 mm"
+[structure.ports]
+tool = "tip"
+spindle = "nose"
+"#;
+
+#[test]
+fn a_machine_may_be_drawn_around_a_ring() {
+    let place = Place::new();
+    let ring = model("ring.toml").split("[effects").next().unwrap().to_string();
+    let ring = ring.replace("circumferential = 360\nradial = 6", "circumferential = 72\nradial = 2");
+    let good = format!("{ring}{MACHINE}");
+    place.write("ring.toml", &good);
+    let answer = place.fem(&["run", "ring.toml", "-o", "out"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    let told = answer.out.lines().find(|line| line.trim_start().starts_with("structure")).unwrap();
+    insta::assert_snapshot!("structure_of_a_ring", told);
+    // The drawing and a tool of the stiffness that is told are one.
+    let summary: serde_json::Value = serde_json::from_str(&place.read("out/summary.json")).unwrap();
+    let stiffness = summary["findings"]["structure"]["stiffness"].as_f64().unwrap();
+    place.write("plain.toml", format!("{ring}\n[effects.copying]\nstiffness = \"{stiffness} N/um\"\n"));
+    place.fem(&["run", "plain.toml", "-o", "plain"]);
+    let [drawn, plain] = ["out", "plain"].map(|folder| place.column(&format!("{folder}/profile.csv"), "deviation"));
+    assert!(drawn.iter().zip(&plain).all(|(a, b)| (a - b).abs() < 1e-9), "{drawn:?}");
+    assert!(plain.iter().any(|own| own.abs() > 1.0), "{plain:?}");
+    let mistakes = [
+        ("force_per_depth = \"1 kN/mm\"", "", "the force of the cut is not said", "force_per_depth = \"1 kN/mm\""),
+        ("tool = \"tip\"", "tool = \"bar\"", "members do not say where on them it stands", "name a node"),
+        ("tool = \"tip\"\n", "", "`tool` is missing", "add tool = \"NODE\""),
+        (
+            "stiffness = \"200 N/um\"",
+            "stiffness = \"200 N/um\"\nc = \"0.2 um/N^n\"\nn = 0.5\npreload = \"1 kN\"",
+            "around a ring joints are springs",
+            "a stiffness alone",
+        ),
+    ];
+    place.refuses(("run", "ring.toml"), &good, &mistakes);
+}

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::base::Base;
 use super::grip::Grip;
 use super::jaws::{self, Group, Jaw, parts};
 use super::membrane::Grasp;
@@ -43,8 +44,8 @@ pub struct Machine {
     pub eccentricity: [f64; 2],
     /// How much larger the cut radius is while the ring is warm, m.
     pub warmth: f64,
-    /// Part of an uneven depth of cut by which the tool yields, C/(C + j).
-    pub copied: f64,
+    /// How far tool and spindle part under the force of the cut, m/N.
+    pub yielding: f64,
     /// Movements of the nose outwards while it cuts.
     moves: Vec<Mark>,
     /// Deviations set free when the ring is cut.
@@ -58,6 +59,7 @@ impl Machine {
     /// a mesh says otherwise; the spindle true and cold.
     pub fn ideal(setup: Arc<Setup>) -> Self {
         let (jaw_angles, arc) = (setup.jaw_angles.clone(), setup.arc);
+        let yielding = setup.base.as_ref().map_or(0.0, Base::compliance);
         Self {
             setup,
             jaw_angles,
@@ -66,7 +68,7 @@ impl Machine {
             jaw_moment: 0.0,
             eccentricity: [0.0; 2],
             warmth: 0.0,
-            copied: 0.0,
+            yielding,
             moves: Vec::new(),
             released: Vec::new(),
             command: None,
@@ -95,7 +97,13 @@ impl Machine {
         let away = squeeze + self.warmth + x * point.angle.cos() + y * point.angle.sin();
         let commanded = self.command.as_ref().map_or(0.0, |command| command.at(point.angle, &[]));
         let (nose, found) = (commanded + all(&self.moves), point.blank + away);
-        nose - self.copied * (nose - found) - away + all(&self.released)
+        nose - self.copied() * (nose - found) - away + all(&self.released)
+    }
+
+    /// Part of an uneven depth of cut by which the tool yields, C·c/(1 + C·c).
+    pub fn copied(&self) -> f64 {
+        let by_depth = self.setup.force_per_depth.unwrap_or(0.0) * self.yielding;
+        by_depth / (1.0 + by_depth)
     }
 
     /// The jaws with their forces in equilibrium, those together that press alike.

@@ -6,6 +6,7 @@
 
 mod advice;
 mod allowed;
+mod base;
 mod body;
 mod chuck;
 pub(crate) mod circle;

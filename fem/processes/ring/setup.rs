@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::allowed::ALLOWED;
+use super::base::Base;
 use super::body::{self, Body};
 use super::chuck::Chuck;
 use super::circle::evenly;
@@ -69,6 +70,8 @@ pub struct Setup {
     pub spindle_speed: Option<f64>,
     /// C, the radial force per depth of cut, N/m.
     pub force_per_depth: Option<f64>,
+    /// The machine around the ring, where it is drawn.
+    pub base: Option<Base>,
     /// Elements.
     pub body: Body,
     /// Rings of equal cells that were solved for this model, at any values of what it does not know.
@@ -118,6 +121,12 @@ impl Setup {
             )
         });
         let (spindle_speed, force_per_depth, cutting_force) = cut.unwrap_or_default();
+        let base = Base::read(model);
+        if base.is_some() && force_per_depth.is_none() {
+            let help =
+                "add force_per_depth = \"1 kN/mm\" to [cut]: it is by the force of the cut that a machine gives way";
+            model.problem("structure", "the machine is drawn, and the force of the cut is not said", help);
+        }
         let body = body::read(model, jaws, radii);
         let (reference, instrument, points) = read_measurement(model, grip);
         let allowed = model
@@ -143,6 +152,7 @@ impl Setup {
             cutting_force,
             spindle_speed,
             force_per_depth,
+            base,
             body,
             responses: model.kept(),
             reference,

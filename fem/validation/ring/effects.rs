@@ -30,6 +30,22 @@ pub fn cases() -> Vec<Case> {
     let eccentric = "[chuck-runout]\nrunout = \"30 um\"\nphase = \"50 deg\"";
     let both = format!("{eccentric}\n{copying}");
     let degrees = f64::to_radians;
+    // Springs of 38 N/um on both sides of the cut: 19 N/um between them. A bar on top of that, and a tool of 19 N/um beside it.
+    let springs = "[structure]\nmaterial = \"steel\"\n[structure.nodes]\nnose = [\"0 mm\", \"0 mm\"]\nslide = [\"200 mm\", \"0 mm\"]\ntip = [\"60 mm\", \"0 mm\"]\n\
+        [structure.front]\nat = \"nose\"\nalong = \"y\"\nstiffness = \"38 N/um\"\n[structure.guide]\nat = \"slide\"\nalong = \"y\"\nstiffness = \"38 N/um\"\n\
+        [structure.keep-nose]\nat = \"nose\"\nalong = \"x\"\nstiffness = \"100 N/um\"\n[structure.keep-slide]\nat = \"slide\"\nalong = \"x\"\nstiffness = \"100 N/um\"\n\
+        [structure.square-nose]\nat = \"nose\"\nalong = \"turning\"\nstiffness = \"1 kN*m/rad\"\n[structure.square-slide]\nat = \"slide\"\nalong = \"turning\"\nstiffness = \"1000000 kN*m/rad\"\n\
+        [structure.bar]\nbetween = [\"slide\", \"tip\"]\ndiameter = \"40 mm\"\n";
+    let drawn = |tool: &str, effects: &str| {
+        let text = format!("{}\n{springs}[structure.ports]\nspindle = \"nose\"\ntool = \"{tool}\"\n", ring(84.0, 3));
+        deviations(&chuck(&text, effects), &[0.7], &[])[0] / squeezed(0.7)
+    };
+    let kept = |newtons_per_um: f64| newtons_per_um / (newtons_per_um + 1.0);
+    // A cantilever of 140 mm that bends and shears (Cowper's 6(1 + nu)/(7 + 6 nu)) on the slide.
+    let (inertia, area) = (std::f64::consts::PI * 0.04f64.powi(4) / 64.0, std::f64::consts::PI * 4e-4);
+    let bends = 0.14f64.powi(3) / (3.0 * 210e9 * inertia);
+    let shears = 0.14 / (6.0 * 1.3 / (7.0 + 6.0 * 0.3) * 210e9 / 2.6 * area);
+    let on_bar = 1e-6 / (1.0 / 19e6 + bends + shears + 0.14f64.powi(2) / 1e9);
     vec![
         part("jaws thrown outwards at 400 rpm", left(400.0), thrown(400.0), source),
         part("jaws thrown outwards at 1800 rpm", left(1800.0), thrown(1800.0), source),
@@ -59,6 +75,15 @@ pub fn cases() -> Vec<Case> {
             0.95,
             at(copying, 0.7, &[]) / squeezed(0.7),
             "seed 002 (27): k*(blank + u) - u",
+        ),
+        part("drawn machine of 19 N/um", 0.95, drawn("slide", ""), "springs in series"),
+        part("the same, the tool of 19 N/um beside it", kept(9.5), drawn("slide", copying), "springs in series"),
+        row(
+            "the same, tool on a bar of 140 mm",
+            "part of the deviation",
+            (kept(on_bar), drawn("tip", ""), "-"),
+            Tolerance::Relative(1e-9),
+            "cantilever that bends and shears (Cowper 1966)",
         ),
         added_row(
             "the same, blank off by 40 um",

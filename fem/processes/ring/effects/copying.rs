@@ -6,6 +6,7 @@
 //! outwards: where the blank is wide, less is cut and the bore stays wide. The tool finds the blank as the jaws
 //! squeeze it, warm, and about the spindle's axis, and what moves the nose itself changes the depth as well: with k =
 //! C/(C + j) and the squeeze u the released ring shows k·blank − (1 − k)·u, and of an oval of the spindle 1 − k.
+//! A machine that is drawn gives way beside it.
 //! Left out: several passes, which copy a copy.
 
 use super::super::machine::Effect;
@@ -27,8 +28,7 @@ pub static COPYING: Effect<1> = Effect {
         None => Err("needs the force of the cut: force_per_depth = \"1 kN/mm\" in [cut]".into()),
     },
     act: |[stiffness], machine| {
-        let compliance = machine.setup.force_per_depth.unwrap_or(0.0) / stiffness;
-        machine.copied = compliance / (1.0 + compliance);
+        machine.yielding += stiffness.recip();
     },
 };
 

@@ -6,6 +6,7 @@ mod sketch;
 
 use std::f64::consts::TAU;
 
+use super::base::Base;
 use super::body::Body;
 use super::circle;
 use super::forward::{self, absolute};
@@ -17,7 +18,7 @@ use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVAB
 use super::setup::{Reference, Setup};
 use crate::process::{Curve, Datum, Drawing, Failure, Figure, Forward, Plot, RunReport, Spot, Table, extremes, spread};
 use crate::roundness::Contacts;
-use crate::units::{ANGLE, FORCE, LENGTH, MICRO, SPINDLE_SPEED, STRESS};
+use crate::units::{ANGLE, FORCE, LENGTH, MICRO, SPINDLE_SPEED, STIFFNESS, STRESS};
 
 /// A surface that varies by less than a tenth of a nanometre is round.
 const ROUND: f64 = 1e-10;
@@ -48,6 +49,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         force(machine),
         stress(setup, &scene),
     ]);
+    figures.extend(setup.base.iter().map(structure));
     figures.extend(setup.grasp.iter().map(membrane::figure));
     let mut shown = vec![RUN, ANGLE_OF_ROW, JAW_FORCE];
     shown.extend(setup.spindle_speed.map(|_| SPEED));
@@ -244,6 +246,14 @@ fn stress(setup: &Setup, scene: &shapes::Scene) -> Figure {
         .line(format!("up to {shown:.2} (von Mises) at {at:.1}, clamped at standstill"))
         .quantity("value", STRESS, stress)
         .quantity("angle", ANGLE, angle)
+}
+
+/// Where the drawn machine gives way.
+fn structure(base: &Base) -> Figure {
+    let stiffness = base.compliance().recip();
+    Figure::new("structure", "structure")
+        .line(format!("{} between tool and spindle: {}", STIFFNESS.format(stiffness), base.told()))
+        .quantity("stiffness", STIFFNESS, stiffness)
 }
 
 fn warnings(machine: &Machine) -> Vec<String> {

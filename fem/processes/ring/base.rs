@@ -1,0 +1,73 @@
+//! What spindle and tool stand on: a structure of the user's own, in the plane of the axis and the radial force.
+//!
+//! The cut parts them: under its radial force P the tool leaves the work by c·P, with c the compliance between the two nodes.
+//! Of a blank that is out of round the part C·c/(1 + C·c) is copied, C being the force per depth of cut, as by a tool of the stiffness
+//! 1/c [seed 002 (27)].
+
+use std::sync::Arc;
+
+use crate::input::Reader;
+use crate::process::structure::{Draft, Drawn, Shares, Stand};
+use crate::solve::structure::{Direction, Freedom};
+
+/// The machine around a ring.
+#[derive(Clone)]
+pub struct Base {
+    drawn: Arc<Drawn>,
+    /// What parts under a newton of the cut: the tool, and the spindle the other way if it stands on the structure.
+    pushed: Vec<(Freedom, f64)>,
+    compliance: f64,
+}
+
+impl std::fmt::Debug for Base {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Base").field("compliance", &self.compliance).finish_non_exhaustive()
+    }
+}
+
+impl Base {
+    /// Reads the structure, if there is one.
+    pub fn read(model: &Reader) -> Option<Self> {
+        let about = "the machine around the ring: beams and joints in the plane of axis and radial force";
+        let (drawn, pushed) = Draft::read(model, about, read_places)?;
+        if let Some(seat) = drawn.seats.first() {
+            let name = &drawn.joints[seat.spring];
+            let message = format!("`structure.{name}` is no spring, and around a ring joints are springs");
+            model.problem("structure", message, "give it a stiffness alone");
+            return None;
+        }
+        let moved = drawn.factored.under(&pushed);
+        let compliance = pushed.iter().map(|(at, force)| force * moved[at.number()]).sum();
+        Some(Self { drawn: Arc::new(drawn), pushed, compliance })
+    }
+
+    /// How far tool and spindle part under a newton between them, m/N.
+    pub fn compliance(&self) -> f64 {
+        self.compliance
+    }
+
+    /// Which of its parts give way, largest first, in words.
+    pub fn told(&self) -> String {
+        let mut shares = Shares::new(&self.drawn);
+        shares.add(&self.drawn.factored.displaced(&self.pushed, &[], &[]), 1.0);
+        shares.told(0)
+    }
+}
+
+fn read_places(t: &Reader, draft: &mut Draft) -> Option<Vec<(Freedom, f64)>> {
+    let node = |key: &'static str, about: &'static str| match draft.stand(t, key, about)? {
+        Stand::Node(node) => Some(Freedom { node, direction: Direction::Y }),
+        Stand::Along(_) => {
+            t.problem(key, "members do not say where on them it stands", "name a node");
+            None
+        }
+    };
+    let tool = node("tool", "the node that holds the tool");
+    let is_asked = t.has("spindle") || t.is_described();
+    let spindle = is_asked.then(|| node("spindle", "the node that holds the chuck; it stands firm if left out"));
+    let mut pushed = vec![(tool?, 1.0)];
+    if let Some(spindle) = spindle {
+        pushed.push((spindle?, -1.0));
+    }
+    Some(pushed)
+}
