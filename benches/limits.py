@@ -144,7 +144,10 @@ def measure(fem, files, arguments):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         for name, text in files.items():
-            (folder / name).write_text(text) if isinstance(text, str) else write_apart(text, folder / name)
+            if isinstance(text, str):
+                (folder / name).write_text(text)
+            else:
+                write_apart(text, folder / name)
         before = {path for path in folder.rglob("*")}
         start = time.time()
         with open(folder / "told", "w") as told:

@@ -35,7 +35,10 @@ pub fn programmed(model: &Model, found: &Correction, program: &Program, adds: bo
         let problem =
             Problem::new(format!("{}: each place and each pallet has a contour of its own", model.source.name));
         return Err(problem
-            .help("give a program for each of them: leave the other [[place]] and [[pallet]] out of the model; without a program `correction.csv` has all contours")
+            .help(
+                "give a program for each of them: leave the other [[place]] and [[pallet]] out of the model; without a \
+                 program `correction.csv` has all contours",
+            )
             .into());
     }
     let corrected = corrected(program, &work, &found.common_courses(), adds)?;

@@ -77,7 +77,29 @@ pub struct Drawn {
     pub seats: Vec<DrawnSeat>,
 }
 
+/// Its parts by their names: what is factored is of no use to a reader.
+impl std::fmt::Debug for Drawn {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { nodes, members, joints, .. } = self;
+        f.debug_struct("Drawn")
+            .field("nodes", nodes)
+            .field("members", members)
+            .field("joints", joints)
+            .finish_non_exhaustive()
+    }
+}
+
 impl Drawn {
+    /// The same where all of its joints are springs, as they are `about` something ("under a part"); `None` where one is none,
+    /// which is told.
+    pub fn of_springs(self, model: &Reader, about: &str) -> Option<Self> {
+        let Some(seat) = self.seats.first() else { return Some(self) };
+        let name = &self.joints[seat.spring];
+        let message = format!("`structure.{name}` is no spring, and {about} joints are springs");
+        model.problem("structure", message, "give it a stiffness alone");
+        None
+    }
+
     /// A unit pair of forces that presses a seat.
     pub fn pair(&self, seat: &DrawnSeat) -> Vec<(Freedom, f64)> {
         let spring = &self.factored.structure().springs[seat.spring];

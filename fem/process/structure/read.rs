@@ -216,6 +216,17 @@ impl Draft {
         Some(Port { at: Freedom { node, direction }, from })
     }
 
+    /// Reads the node on which something stands, along y; `what` ("the cutter is held") is what members would leave open.
+    pub fn holder(&self, t: &Reader, key: &'static str, about: &'static str, what: &str) -> Option<Freedom> {
+        match self.stand(t, key, about)? {
+            Stand::Node(node) => Some(Freedom { node, direction: Direction::Y }),
+            Stand::Along(_) => {
+                t.problem(key, format!("members do not say where on them {what}"), "name a node");
+                None
+            }
+        }
+    }
+
     /// Reads what something stands on: a node, or members along x. Told where it is missing.
     pub fn stand(&self, t: &Reader, key: &'static str, about: &'static str) -> Option<Stand> {
         let Some(names) = t.texts(key, about) else {

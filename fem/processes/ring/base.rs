@@ -7,11 +7,11 @@
 use std::sync::Arc;
 
 use crate::input::Reader;
-use crate::process::structure::{Draft, Drawn, Shares, Stand};
-use crate::solve::structure::{Direction, Freedom};
+use crate::process::structure::{Draft, Drawn, Shares};
+use crate::solve::structure::Freedom;
 
 /// The machine around a ring.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Base {
     drawn: Arc<Drawn>,
     /// What parts under a newton of the cut: the tool, and the spindle the other way if it stands on the structure.
@@ -19,23 +19,12 @@ pub struct Base {
     compliance: f64,
 }
 
-impl std::fmt::Debug for Base {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Base").field("compliance", &self.compliance).finish_non_exhaustive()
-    }
-}
-
 impl Base {
     /// Reads the structure, if there is one.
     pub fn read(model: &Reader) -> Option<Self> {
         let about = "the machine around the ring: beams and joints in the plane of axis and radial force";
         let (drawn, pushed) = Draft::read(model, about, read_places)?;
-        if let Some(seat) = drawn.seats.first() {
-            let name = &drawn.joints[seat.spring];
-            let message = format!("`structure.{name}` is no spring, and around a ring joints are springs");
-            model.problem("structure", message, "give it a stiffness alone");
-            return None;
-        }
+        let drawn = drawn.of_springs(model, "around a ring")?;
         let moved = drawn.factored.under(&pushed);
         let compliance = pushed.iter().map(|(at, force)| force * moved[at.number()]).sum();
         Some(Self { drawn: Arc::new(drawn), pushed, compliance })
@@ -55,13 +44,7 @@ impl Base {
 }
 
 fn read_places(t: &Reader, draft: &mut Draft) -> Option<Vec<(Freedom, f64)>> {
-    let node = |key: &'static str, about: &'static str| match draft.stand(t, key, about)? {
-        Stand::Node(node) => Some(Freedom { node, direction: Direction::Y }),
-        Stand::Along(_) => {
-            t.problem(key, "members do not say where on them it stands", "name a node");
-            None
-        }
-    };
+    let node = |key: &'static str, about: &'static str| draft.holder(t, key, about, "it stands");
     let tool = node("tool", "the node that holds the tool");
     let is_asked = t.has("spindle") || t.is_described();
     let spindle = is_asked.then(|| node("spindle", "the node that holds the chuck; it stands firm if left out"));

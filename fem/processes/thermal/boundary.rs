@@ -47,7 +47,9 @@ impl Boundary {
         let names = body.edges();
         if !t.is_described() && !names.contains(&edge) {
             let help = match names.is_empty() {
-                true => "a rod has no edges: heat it with [[source]], cool it with effects, or write it as `revolved`, which has edges that radiate too".into(),
+                true => "a rod has no edges: heat it with [[source]], cool it with effects, or write it as `revolved`, which has \
+                         edges that radiate too"
+                    .into(),
                 false => format!("its edges are {}", names.join(", ")),
             };
             t.problem("edge", format!("`{edge}` is no edge of the body"), help);

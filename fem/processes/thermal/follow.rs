@@ -28,6 +28,13 @@ pub enum Look {
     },
 }
 
+impl Look {
+    /// Whether it is at the shape of the body, and not at a temperature.
+    pub fn is_shape(&self) -> bool {
+        !matches!(self, Self::Rise { .. })
+    }
+}
+
 /// Somebody who is told the time (s) at the start and at the end of every step, and may ask for the rises of
 /// all nodes (K).
 pub type Watch<'a> = &'a mut dyn FnMut(f64, &dyn Fn() -> Vec<f64>);

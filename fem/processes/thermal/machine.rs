@@ -93,7 +93,7 @@ impl Machine {
 
     /// Time constant of what shows a look, s: only temperatures are late.
     pub fn lag_of(&self, look: Look) -> f64 {
-        if matches!(look, Look::Rise { .. }) { self.lag } else { 0.0 }
+        if look.is_shape() { 0.0 } else { self.lag }
     }
 
     /// Whether the body feels the temperature of its surroundings.

@@ -40,15 +40,14 @@ impl Laws {
 
     /// What the heat follows where anything changes with the temperature.
     pub fn properties(&self, setup: &Setup) -> Option<Properties> {
+        if setup.over_temperature.is_constant() {
+            return None;
+        }
         let spans = [&self.conductivity, &self.specific_heat, &self.expansion].map(Potential::span);
         let known = spans
             .iter()
             .fold([f64::NEG_INFINITY, f64::INFINITY], |[low, high], own| [low.max(own[0]), high.min(own[1])]);
-        (!setup.over_temperature.is_constant()).then(|| Properties {
-            conductivity: self.conductivity.clone(),
-            heat_capacity: self.specific_heat.clone(),
-            known,
-        })
+        Some(Properties { conductivity: self.conductivity.clone(), heat_capacity: self.specific_heat.clone(), known })
     }
 
     /// The rise (K) by which a body that always expands as at the start would have grown as much.

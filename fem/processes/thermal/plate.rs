@@ -41,14 +41,18 @@ pub fn follow(machine: &Machine, plane: &Plane, looks: &[Look], run: &Run, watch
     let properties = laws.properties(setup);
     let system = ThermalSystem::over_temperature(&mesh, law, properties, Capacity::Consistent, &conditions);
     let system = system.map_err(|e| unsolvable(&e))?;
-    let probes = probes(setup, plane, &mesh, looks)?;
+    let probes = probes(setup, (plane, &mesh), &laws, looks)?;
     let switches: Vec<f64> = conditions.iter().flat_map(Condition::switches).collect();
     let mut track = Track::new(looks.len());
+    // Of what does not change with the temperature the growth is in proportion to the rise.
+    let bends = !setup.over_temperature.is_constant() && looks.iter().any(Look::is_shape);
     let observe = |now: Instant<'_>| {
+        let grown: Option<Vec<f64>> =
+            bends.then(|| now.temperatures().into_iter().map(|rise| laws.grown(rise)).collect());
         let read = |(look, probe): (&Look, &Probe)| {
-            let own = |node: usize| match look {
-                Look::Rise { .. } => now.at(node),
-                Look::Elongation | Look::Bow | Look::Diameter { .. } => laws.grown(now.at(node)),
+            let own = |node: usize| match &grown {
+                Some(grown) if look.is_shape() => grown[node],
+                _ => now.at(node),
             };
             probe.weights.iter().map(|(node, weight)| weight * own(*node)).sum::<f64>()
         };
@@ -208,11 +212,10 @@ fn section(mesh: &Mesh, thickness: Thickness, x: f64) -> Vec<(usize, f64)> {
 
 /// How the rises of all nodes add up to what is looked at. What the body does is weighed by reciprocity, and
 /// solved for once.
-fn probes(setup: &Setup, plane: &Plane, mesh: &Mesh, looks: &[Look]) -> Result<Vec<Probe>, Failure> {
-    let shape = |look: &&Look| !matches!(look, Look::Rise { .. });
-    let elastic = match looks.iter().find(shape) {
-        Some(_) => Some(ElasticSystem::free(mesh, elasticity(setup, plane)?).map_err(|e| unsolvable(&e))?),
-        None => None,
+fn probes(setup: &Setup, (plane, mesh): (&Plane, &Mesh), laws: &Laws, looks: &[Look]) -> Result<Vec<Probe>, Failure> {
+    let elastic = match looks.iter().any(Look::is_shape) {
+        true => Some(ElasticSystem::free(mesh, elasticity(setup, plane, laws)?).map_err(|e| unsolvable(&e))?),
+        false => None,
     };
     let place = |x: f64, y: Option<f64>| [x, y.unwrap_or_else(|| plane.usual_y(x))];
     let probe = |look: &Look| match (look, &elastic) {
@@ -233,9 +236,9 @@ fn probes(setup: &Setup, plane: &Plane, mesh: &Mesh, looks: &[Look]) -> Result<V
 ///
 /// # Errors
 /// A material that is none.
-pub fn elasticity(setup: &Setup, plane: &Plane) -> Result<Elasticity, Failure> {
+pub fn elasticity(setup: &Setup, plane: &Plane, laws: &Laws) -> Result<Elasticity, Failure> {
     let material = &setup.material;
-    let (e, nu, alpha) = (material.youngs_modulus, material.poisson_ratio, Laws::of(setup).expansion.scale());
+    let (e, nu, alpha) = (material.youngs_modulus, material.poisson_ratio, laws.expansion.scale());
     let law = match plane.thickness {
         Thickness::Uniform(width) => Elasticity::new(PlaneState::Stress, e, nu, alpha, width),
         Thickness::Revolved => Elasticity::revolved(e, nu, alpha),

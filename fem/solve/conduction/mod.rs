@@ -10,9 +10,11 @@ mod error;
 mod history;
 mod properties;
 mod scheme;
+mod steady;
 mod surface;
 mod system;
 mod transient;
+mod varying;
 
 pub use conditions::{Condition, Loss};
 pub use energy::Energy;

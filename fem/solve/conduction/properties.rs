@@ -39,24 +39,25 @@ impl Potential {
 
     /// Of a property at rises (K, growing), straight between them and the same beyond the ends.
     pub fn of(points: &[[f64; 2]]) -> Self {
-        let piece = |i: usize, [from, slope]: [f64; 2]| {
-            let curvature = points.get(i + 1).map_or(0.0, |next| (next[1] - slope) / (next[0] - from));
-            Piece { from, own: 0.0, slope, curvature }
-        };
-        Self::joined(points.iter().enumerate().map(|(i, point)| piece(i, *point)).collect(), points)
+        Self::joined(points, |[from, slope], steepness| Piece { from, own: 0.0, slope, curvature: steepness })
     }
 
     /// Of a property that is given by its means from `reference` to rises (K, growing): mean times way is the integral.
     pub fn of_means(points: &[[f64; 2]], reference: f64) -> Self {
-        let piece = |i: usize, [from, mean]: [f64; 2]| {
-            let steepness = points.get(i + 1).map_or(0.0, |next| (next[1] - mean) / (next[0] - from));
-            Piece { from, own: 0.0, slope: mean + steepness * (from - reference), curvature: 2.0 * steepness }
-        };
-        Self::joined(points.iter().enumerate().map(|(i, point)| piece(i, *point)).collect(), points)
+        Self::joined(points, |[from, mean], steepness| {
+            let slope = mean + steepness * (from - reference);
+            Piece { from, own: 0.0, slope, curvature: 2.0 * steepness }
+        })
     }
 
-    /// Pieces one after another, by the slope at the start, where the sum is zero.
-    fn joined(mut pieces: Vec<Piece>, points: &[[f64; 2]]) -> Self {
+    /// Pieces from point to point, each made of its first point and of how steeply the values rise to the next; by the slope
+    /// at the start, where the sum is zero.
+    fn joined(points: &[[f64; 2]], piece: impl Fn([f64; 2], f64) -> Piece) -> Self {
+        let steepness = |i: usize| {
+            let next = points.get(i + 1);
+            next.map_or(0.0, |next| (next[1] - points[i][1]) / (next[0] - points[i][0]))
+        };
+        let mut pieces: Vec<Piece> = (0..points.len()).map(|i| piece(points[i], steepness(i))).collect();
         for i in 1..pieces.len() {
             pieces[i].own = pieces[i - 1].at(pieces[i].from).0;
         }
@@ -64,15 +65,14 @@ impl Potential {
         let first = Piece { curvature: 0.0, ..pieces[0] };
         pieces.insert(0, first);
         let mut all = Self { scale: 1.0, pieces, span: [points[0][0], points[points.len() - 1][0]] };
-        let (own, scale) = all.at(0.0);
+        let (own, slope) = all.at(0.0);
         // Only an expansion can be none at the start: it is left by kelvin then.
-        let scale = if scale == 0.0 { 1.0 } else { scale };
-        all.scale = scale;
+        all.scale = if slope == 0.0 { 1.0 } else { slope };
         for piece in &mut all.pieces {
             *piece = Piece {
-                own: (piece.own - own) / scale,
-                slope: piece.slope / scale,
-                curvature: piece.curvature / scale,
+                own: (piece.own - own) / all.scale,
+                slope: piece.slope / all.scale,
+                curvature: piece.curvature / all.scale,
                 ..*piece
             };
         }
@@ -104,15 +104,11 @@ impl Potential {
         (from + 2.0 * (own - start) / (slope + steepness), steepness.recip())
     }
 
-    /// Whether the property is above zero wherever it is known, and finite.
+    /// Whether the property is above zero wherever it is known, and finite: it is so at both ends of every piece.
     fn is_positive(&self) -> bool {
-        self.scale > 0.0
-            && self.pieces.iter().zip(self.pieces[1..].iter().map(|p| p.from).chain([self.span[1]])).all(
-                |(piece, end)| {
-                    let end = if end.is_finite() { end } else { piece.from };
-                    piece.slope > 0.0 && piece.at(end).1 > 0.0 && piece.slope.is_finite() && piece.curvature.is_finite()
-                },
-            )
+        let ends = self.pieces.windows(2).map(|pair| pair[0].at(pair[1].from).1);
+        let mut all = self.pieces.iter().map(|piece| piece.slope).chain(ends);
+        self.scale > 0.0 && all.all(|slope| slope > 0.0 && slope.is_finite())
     }
 }
 

@@ -4,17 +4,16 @@ use std::sync::Arc;
 
 use super::conditions::{Amplitude, MovingStrip, Supply, side_shares};
 use super::surface::Surface;
+use super::varying::{Slopes, Varying};
 use super::{Condition, History, Properties, ThermalError};
 use crate::element::plane::{Capacity, Conduction, EDGE_NODES, MAX_NODES, Square, Thickness};
 use crate::mesh::{Mesh, Side};
-use crate::solve::sparse::{Analysis, Freedoms, Graph, Matrix, Order, Pattern, Solver};
+use crate::solve::sparse::{Analysis, Freedoms, Graph, Matrix, Order, Pattern};
 
 /// Steps of Newton's method in which surfaces find their temperatures.
 pub(super) const MAX_ITERATIONS: usize = 60;
 /// Changes of temperatures at which they have, K: far above round-off of a thousand kelvin, far below what anybody measures.
 const REST: f64 = 1e-9;
-/// How far beyond the table of a property a temperature may be by the rounding of units, K.
-const SLACK: f64 = 1e-6;
 
 /// A body with its conditions, assembled.
 pub struct ThermalSystem<'m> {
@@ -35,41 +34,8 @@ pub struct ThermalSystem<'m> {
     pub(super) stores: Vec<f64>,
     pub(super) switches: Vec<f64>,
     ambients: Vec<Supply>,
-    surfaces: Vec<Surface>,
+    pub(super) surfaces: Vec<Surface>,
     varying: Option<Varying>,
-}
-
-/// Properties that change with the temperature, and the conduction alone with those of the start, W/K.
-struct Varying {
-    properties: Properties,
-    conduction: Matrix,
-}
-
-/// What a kelvin of each node's Kirchhoff temperature changes.
-#[derive(Debug)]
-pub(super) struct Slopes {
-    /// Loss by surfaces, W/K.
-    surfaces: Vec<f64>,
-    /// Where properties change.
-    varying: Option<Relative>,
-}
-
-/// What a kelvin of each node's Kirchhoff temperature makes of the others.
-#[derive(Debug)]
-struct Relative {
-    /// Of its temperature.
-    warm: Vec<f64>,
-    /// Of its enthalpy.
-    enthalpies: Vec<f64>,
-}
-
-impl Slopes {
-    /// Changes of Kirchhoff temperatures as changes of enthalpies.
-    pub fn to_enthalpies(&self, changes: &mut [f64]) {
-        if let Some(Relative { enthalpies, .. }) = &self.varying {
-            changes.iter_mut().zip(enthalpies).for_each(|(change, slope)| *change *= slope);
-        }
-    }
 }
 
 impl<'m> ThermalSystem<'m> {
@@ -109,11 +75,7 @@ impl<'m> ThermalSystem<'m> {
         let capacity = Matrix::assemble::<1>(mesh, &pattern, &freedoms, |_, sampled, coordinates, square| {
             law.capacity(capacity, sampled, coordinates, square);
         })?;
-        let varying = properties.map(|properties| {
-            properties.check()?;
-            Ok::<_, ThermalError>(Varying { properties, conduction: conductance.clone() })
-        });
-        let varying = varying.transpose()?;
+        let varying = properties.map(|properties| Varying::new(properties, conductance.clone())).transpose()?;
         let mut ambients = convections(&mut conductance, mesh, &freedoms, &law, conditions)?;
         let ones = vec![1.0; freedoms.len()];
         let stores = capacity.multiply(&ones);
@@ -154,36 +116,6 @@ impl<'m> ThermalSystem<'m> {
         })
     }
 
-    /// Temperatures of all nodes in the steady state under what holds at `time` (s).
-    ///
-    /// # Errors
-    /// [`ThermalError::Insulated`] where nothing holds the temperature.
-    pub fn steady(&self, time: f64) -> Result<Vec<f64>, ThermalError> {
-        self.check_held()?;
-        let mut heat = vec![0.0; self.freedoms.len()];
-        self.supply(time, [time; 2], &mut heat);
-        self.add_ambient(time, [time; 2], &mut heat);
-        let mut enthalpies = vec![0.0; self.freedoms.len()];
-        self.set_held(time, &mut enthalpies);
-        for _ in 0..MAX_ITERATIONS {
-            let mut missing = heat.clone();
-            let (_, slopes) = self.lose((time, [time; 2]), &enthalpies, &mut missing);
-            self.conductance.multiply_add(-1.0, &enthalpies, &mut missing);
-            let matrix = self.tangent(&slopes);
-            let solver = Solver::new(&self.analysis, &matrix, &self.freedoms, self.mesh.nodes())?;
-            let mut change = vec![0.0; enthalpies.len()];
-            solver.solve(&matrix, &missing, &mut change)?;
-            slopes.to_enthalpies(&mut change);
-            enthalpies.iter_mut().zip(&change).for_each(|(own, change)| *own += change);
-            let moved = change.iter().map(|own| own.abs()).fold(0.0, f64::max);
-            if self.is_linear() || is_at_rest(moved) {
-                self.check_known(time, &enthalpies)?;
-                return Ok(self.scattered(&enthalpies));
-            }
-        }
-        Err(ThermalError::NoBalance { time })
-    }
-
     /// Mean temperature over the body of the temperatures of all nodes, weighted by heat capacity.
     pub fn mean(&self, temperatures: &[f64]) -> f64 {
         let whole: f64 = self.stores.iter().sum();
@@ -203,12 +135,12 @@ impl<'m> ThermalSystem<'m> {
 
     /// Temperature of what has an enthalpy, K of the capacity at the start.
     pub(super) fn temperature(&self, enthalpy: f64) -> f64 {
-        self.varying.as_ref().map_or(enthalpy, |v| v.properties.heat_capacity.inverse(enthalpy).0)
+        self.varying.as_ref().map_or(enthalpy, |varying| varying.temperature(enthalpy))
     }
 
     /// Enthalpy (K) of what has a temperature.
     pub(super) fn enthalpy(&self, temperature: f64) -> f64 {
-        self.varying.as_ref().map_or(temperature, |v| v.properties.heat_capacity.at(temperature).0)
+        self.varying.as_ref().map_or(temperature, |varying| varying.enthalpy(temperature))
     }
 
     /// Temperatures of all nodes of these enthalpies (in the order of the matrix).
@@ -223,16 +155,7 @@ impl<'m> ThermalSystem<'m> {
     /// # Errors
     /// The body is warmer or colder at `time` than its properties are known.
     pub(super) fn check_known(&self, time: f64, enthalpies: &[f64]) -> Result<(), ThermalError> {
-        let Some(Varying { properties, .. }) = &self.varying else { return Ok(()) };
-        let known = properties.known;
-        let reached = enthalpies
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], own| [f64::min(low, *own), f64::max(high, *own)]);
-        let reached = reached.map(|own| self.temperature(own));
-        match reached[0] >= known[0] - SLACK && reached[1] <= known[1] + SLACK {
-            true => Ok(()),
-            false => Err(ThermalError::Unknown { time, reached, known }),
-        }
+        self.varying.as_ref().map_or(Ok(()), |varying| varying.check(time, enthalpies))
     }
 
     /// Writes the enthalpies of the prescribed temperatures at `time` into `enthalpies` (in the order of the matrix).
@@ -278,21 +201,10 @@ impl<'m> ThermalSystem<'m> {
     pub(super) fn lose(&self, at: (f64, [f64; 2]), enthalpies: &[f64], heat: &mut [f64]) -> (f64, Slopes) {
         let mut slopes = Slopes { surfaces: vec![0.0; enthalpies.len()], varying: None };
         let mut sum = 0.0;
-        let warm: Option<Vec<f64>> = self.varying.as_ref().map(|Varying { properties, conduction }| {
-            let (mut warm, mut by_film, mut conducted) = (Vec::new(), Vec::new(), Vec::new());
-            let mut relative = Relative { warm: Vec::new(), enthalpies: Vec::new() };
-            for enthalpy in enthalpies {
-                let (own, of_enthalpy) = properties.heat_capacity.inverse(*enthalpy);
-                let (transformed, steep) = properties.conductivity.at(own);
-                warm.push(own);
-                by_film.push(own - enthalpy);
-                conducted.push(transformed - own);
-                relative.warm.push(steep.recip());
-                relative.enthalpies.push((steep * of_enthalpy).recip());
-            }
-            self.conductance.multiply_add(-1.0, &by_film, heat);
-            conduction.multiply_add(-1.0, &conducted, heat);
-            sum += self.losses.iter().zip(&by_film).map(|(loss, own)| loss * own).sum::<f64>();
+        let warm = self.varying.as_ref().map(|varying| {
+            let (warm, relative) = varying.lose(enthalpies, &self.conductance, heat);
+            let by_film = |((loss, warm), own): ((&f64, &f64), &f64)| loss * (warm - own);
+            sum += self.losses.iter().zip(&warm).zip(enthalpies).map(by_film).sum::<f64>();
             slopes.varying = Some(relative);
             warm
         });
@@ -317,10 +229,7 @@ impl<'m> ThermalSystem<'m> {
     /// steps.
     pub(super) fn tangent(&self, slopes: &Slopes) -> Matrix {
         let mut matrix = match (&self.varying, &slopes.varying) {
-            (Some(Varying { conduction, .. }), Some(Relative { warm, .. })) => {
-                let films = self.conductance.combined(1.0, conduction, -1.0);
-                conduction.combined(1.0, &films.averaged(warm), 1.0)
-            }
+            (Some(varying), Some(relative)) => varying.tangent(relative, &self.conductance),
             _ => self.conductance.clone(),
         };
         for (number, slope) in slopes.surfaces.iter().enumerate().filter(|(_, slope)| **slope != 0.0) {
@@ -332,24 +241,8 @@ impl<'m> ThermalSystem<'m> {
     /// What a kelvin of Kirchhoff's temperature stores, J/K, in the same way.
     pub(super) fn stored(&self, slopes: &Slopes) -> Matrix {
         match &slopes.varying {
-            Some(Relative { enthalpies, .. }) => self.capacity.averaged(enthalpies),
+            Some(relative) => self.capacity.averaged(&relative.enthalpies),
             None => self.capacity.clone(),
-        }
-    }
-
-    /// Every piece of the mesh must lose heat somewhere, or have a prescribed temperature.
-    fn check_held(&self) -> Result<(), ThermalError> {
-        let pieces = self.mesh.pieces();
-        let mut is_held = vec![false; pieces.len()];
-        for (node, &piece) in pieces.iter().enumerate() {
-            is_held[piece as usize] |= self.freedoms.is_held(node) || self.losses[self.freedoms.number(node)] > 0.0;
-        }
-        for node in self.surfaces.iter().flat_map(Surface::holds) {
-            is_held[pieces[node] as usize] = true;
-        }
-        match self.mesh.elements().find(|element| !is_held[pieces[element.nodes[0] as usize] as usize]) {
-            Some(element) => Err(ThermalError::Insulated { element: element.index }),
-            None => Ok(()),
         }
     }
 }

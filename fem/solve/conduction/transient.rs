@@ -1,6 +1,7 @@
 //! Stepping through time: one factor for every length of step, steps that end where a source is switched.
 
-use super::system::{MAX_ITERATIONS, Slopes, is_at_rest};
+use super::system::{MAX_ITERATIONS, is_at_rest};
+use super::varying::Slopes;
 use super::{Energy, Scheme, ThermalError, ThermalSystem};
 use crate::solve::sparse::{Matrix, Solver};
 

@@ -211,9 +211,10 @@ impl Flat {
     fn new(machine: &Machine, plane: &Plane) -> Result<Self, Failure> {
         let setup = &machine.setup;
         let mesh = plane.mesh(setup.element_size, &plate::sections(machine)).map_err(|e| unsolvable(&e))?;
-        let law = plate::elasticity(setup, plane)?;
+        let laws = Laws::of(setup);
+        let law = plate::elasticity(setup, plane, &laws)?;
         let system = ElasticSystem::free(mesh.clone(), law).map_err(|e| unsolvable(&e))?;
-        Ok(Self { plane: plane.clone(), system, mesh, law, laws: Laws::of(setup) })
+        Ok(Self { plane: plane.clone(), system, mesh, law, laws })
     }
 
     fn grid(&self, rises: &[f64]) -> Grid {
