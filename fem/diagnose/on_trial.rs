@@ -13,11 +13,8 @@ const ODDS: Odds = Odds::of(0.3, "templates and tables of others write values th
 
 /// The values of a model that stand as if they were known, each as an effect that moves it away from what is
 /// written: those of its effects, and of the other tables what people estimate
-/// ([`process::estimates`]). Tests of one machine say theirs together.
+/// ([`process::estimates`]). Of tests of one machine those that they draw alike; the others they say together.
 pub fn values_on_trial(model: &Model) -> Vec<Description> {
-    if model.campaign().is_some() {
-        return Vec::new();
-    }
     let is_known =
         |quantity: &&Parameter| quantity.quantity.knowledge == Knowledge::Known && quantity.quantity.value.is_finite();
     model.quantities.iter().filter(is_known).filter_map(|quantity| value_on_trial(model, quantity)).collect()

@@ -65,7 +65,7 @@ impl Draft {
     /// The file is wrong; the error lists every problem with its place and remedy.
     pub fn with(self, recorded: &[Coordinate]) -> Result<Model, InputError> {
         let Self { source, tables, .. } = self;
-        let refused = |problems| InputError::new(source.clone(), problems);
-        Model::of_tables(source.clone(), tables, Kept::default(), recorded).map_err(refused)
+        let refused = |problems| tables.refused(&source, problems);
+        Model::of_tables(source.clone(), tables.clone(), Kept::default(), recorded).map_err(refused)
     }
 }

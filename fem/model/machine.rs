@@ -7,7 +7,13 @@ use toml_edit::{Document, Item};
 use crate::input::{NamedFile, Problem, Reader, Source};
 
 /// Largest machine file, bytes; people write machines by hand.
-const LARGEST: u64 = 1_000_000;
+pub(super) const LARGEST: u64 = 1_000_000;
+/// The key by which a model names it.
+pub(super) const MACHINE: &str = "machine";
+/// The drawing of the machine, which models of it share.
+pub(super) const STRUCTURE: &str = "structure";
+/// What stands on a drawing, which is each model's own.
+pub(super) const PORTS: &str = "ports";
 
 /// A machine with its units, of which tests see one thing or another.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,17 +36,17 @@ impl Machine {
 
 /// Reads the machine that a model names, and holds the `unit` that it tests against it.
 pub fn read(model: &Reader, unit: Option<&str>) -> Option<Machine> {
-    let file = model.file("machine", "the file of the machine, which other models name too", LARGEST)?;
+    let file = model.file(MACHINE, "the file of the machine, which other models name too", LARGEST)?;
     let machine = parse(&file).map_err(|problem| {
         let message = format!("{}: {}", file.path.display(), problem.message);
-        model.problem("machine", message, problem.help.unwrap_or_default());
+        model.problem(MACHINE, message, problem.help.unwrap_or_default());
     });
     let machine = machine.ok()?;
     if let Some(unit) = unit.filter(|unit| machine.units.iter().all(|own| own != unit)) {
         let file = machine.path.display();
         let help =
             format!("write [machine.{unit}] into {file}, or name one of its units: {}", machine.units.join(", "));
-        model.problem("machine", format!("{file} has no unit `{unit}`"), help);
+        model.problem(MACHINE, format!("{file} has no unit `{unit}`"), help);
     }
     Some(machine)
 }
@@ -55,10 +61,21 @@ fn parse(file: &NamedFile) -> Result<Machine, Problem> {
     let source = file.text()?;
     let document = Document::parse(source.text.to_string())
         .map_err(|e| Problem::new(e.message().trim().replace('\n', ", ")).help(FORM))?;
-    if let Some((key, item)) = document.iter().find(|(key, _)| *key != "machine") {
+    if let Some((key, item)) = document.iter().find(|(key, _)| ![MACHINE, STRUCTURE].contains(key)) {
         return Err(wrong(&source, Some(item), format!("`{key}` is not known in a machine file")));
     }
-    let Some(table) = document.get("machine").and_then(Item::as_table_like) else {
+    if let Some(drawing) = document.get(STRUCTURE) {
+        let Some(drawing) = drawing.as_table_like() else {
+            let problem = wrong(&source, Some(drawing), format!("`{STRUCTURE}` is no table"));
+            return Err(problem.help("write [structure.nodes] and a table for each member and joint"));
+        };
+        if let Some(ports) = drawing.get(PORTS) {
+            let message = "tests stand on a machine in places of their own: `ports` are not known in a machine file";
+            let problem = wrong(&source, Some(ports), message.into());
+            return Err(problem.help("write [structure.ports] into each model"));
+        }
+    }
+    let Some(table) = document.get(MACHINE).and_then(Item::as_table_like) else {
         return Err(wrong(&source, None, "there is no table [machine]".into()));
     };
     let mut machine = Machine { path: file.path.clone(), name: None, units: Vec::new() };

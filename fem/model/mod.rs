@@ -5,6 +5,7 @@ mod campaign;
 mod change;
 mod data;
 mod draft;
+mod drawing;
 mod edit;
 mod files;
 mod formula_effect;
@@ -287,6 +288,11 @@ impl Model {
     /// Name of the effect to which a quantity belongs, by its path.
     pub fn effect_of(&self, path: &str) -> Option<&str> {
         self.place(path).map(|(effect, _)| &*self.effects[effect].description.name)
+    }
+
+    /// A quantity that the file has, by its path.
+    pub fn quantity(&self, path: &str) -> Option<&Parameter> {
+        self.quantities.iter().find(|own| *own.path == *path)
     }
 
     /// Catalogue entry of a parameter of an effect, by its path.

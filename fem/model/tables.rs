@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use toml_edit::{Array, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
+use super::drawing::Drawing;
 use super::way::{copy, entry_of, erase, replace, set, way, write};
 use crate::input::{InputError, ParameterId, Problem, Raw, Source, texts};
 
@@ -117,7 +118,8 @@ impl From<&Entry> for Value {
     }
 }
 
-/// The tables of a model: those of its file, and the edits that were made since it was read.
+/// The tables of a model: those of its file, the drawing that it takes from the file of its machine, and the edits that were
+/// made since it was read.
 #[derive(Clone, Default)]
 pub(super) struct Tables {
     /// The tables as they were read. Values know their places in the file.
@@ -125,6 +127,8 @@ pub(super) struct Tables {
     /// The tables with the edits.
     now: Arc<Table>,
     edits: Vec<Edit>,
+    /// What stands in the file of its machine.
+    drawing: Option<Arc<Drawing>>,
 }
 
 impl Tables {
@@ -134,8 +138,18 @@ impl Tables {
             let problem = Problem::new(e.message().trim().replace('\n', ", ")).at(e.span());
             InputError::one(source.clone(), problem.help("a model file is TOML: [table], key = \"value\", # comment"))
         })?;
-        let read = Arc::new(document.as_table().clone());
-        Ok(Self { now: read.clone(), read, edits: Vec::new() })
+        let mut read = document.as_table().clone();
+        let drawing = Drawing::under(&mut read, source).map(Arc::new);
+        let read = Arc::new(read);
+        Ok(Self { now: read.clone(), read, edits: Vec::new(), drawing })
+    }
+
+    /// What is wrong with them, in the file in which it stands: mistakes in the drawing of the machine are told alone.
+    pub(super) fn refused(&self, source: &Source, problems: Vec<Problem>) -> InputError {
+        match self.drawing.as_ref().and_then(|drawing| drawing.refused(&problems)) {
+            Some(error) => error,
+            None => InputError::new(source.clone(), problems),
+        }
     }
 
     /// The tables as they are now.
@@ -152,7 +166,7 @@ impl Tables {
         for (number, edit) in edits.iter().enumerate() {
             apply(&mut now, edit, self.edits.len() + number)?;
         }
-        Ok(Self { read: self.read.clone(), now: Arc::new(now), edits: [&self.edits, edits].concat() })
+        Ok(Self { now: Arc::new(now), edits: [&self.edits, edits].concat(), ..self.clone() })
     }
 
     /// The value of a key, if the tables have it.
@@ -184,7 +198,7 @@ impl Tables {
     pub(super) fn undone(&self) -> Option<Self> {
         let (_, edits) = self.edits.split_last()?;
         // They could be made before.
-        Self { read: self.read.clone(), now: self.read.clone(), edits: Vec::new() }.edited(edits).ok()
+        Self { now: self.read.clone(), edits: Vec::new(), ..self.clone() }.edited(edits).ok()
     }
 
     /// The edits that were made since the file was read.
@@ -213,8 +227,9 @@ impl Tables {
             if let Edit::Remove { parent, name } = edit {
                 hand_comments_on(&mut document, parent, name);
             }
+            let added = self.drawing.as_ref().and_then(|drawing| drawing.written_over(&document, edit));
             // They could be made before, when the model was edited.
-            let _ = apply(&mut document, edit, number);
+            let _ = apply(&mut document, added.as_ref().unwrap_or(edit), number);
         }
         append(&mut document, &edits);
         let remarks: Vec<String> = remarks(&edits).map(|text| format!("# {text}\n")).collect();

@@ -50,6 +50,10 @@ impl Model {
     /// The values make no model.
     #[doc(hidden)]
     pub fn forward_with(&self, values: &[f64], added: &[Active]) -> Result<Box<dyn ForwardModel>, Failure> {
+        if let Some(campaign) = self.campaign() {
+            let effects = [self.whatever_else_at(values).0, added.to_vec()].concat();
+            return campaign.forward(values, &effects);
+        }
         let is_value = |active: &&Active| active.description.table == ON_TRIAL;
         let on_trial: Vec<(&str, f64)> = added
             .iter()

@@ -57,7 +57,7 @@ impl<'m> Bench<'m> {
     /// The model cannot be computed.
     pub fn new(model: &'m Model, levers: Vec<Lever<'m>>, progress: &'m Progress) -> Result<Self, Failure> {
         let making = model.system.making();
-        let written = |own: &Making| model.quantities.iter().find(|quantity| *quantity.path == *own.cycle);
+        let written = |own: &Making| model.quantity(own.cycle);
         let cycle = making.as_ref().and_then(written).map(|own| (own.path.clone(), own.quantity.value));
         let bench = Self {
             model,

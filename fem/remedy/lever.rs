@@ -66,7 +66,7 @@ impl<'m> Lever<'m> {
             return Ok(Self { setting, ways: Ways::Alone, now: None, present: None, measured: None });
         };
         let is_new = edited.raw(path).is_some() && model.raw(path).is_none();
-        let quantity = edited.quantities.iter().find(|own| own.path == *path);
+        let quantity = edited.quantity(path);
         let Some(quantity) = quantity else {
             let raw = edited.raw(path).ok_or_else(|| {
                 let (message, help) = no_quantity(&edited, path);

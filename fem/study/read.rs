@@ -281,7 +281,7 @@ fn read_input(t: &Reader, model: Option<&Model>, way: Way) -> Option<Input> {
 
 /// The quantity at a path of the model.
 fn known<'m>(t: &Reader, model: &'m Model, path: &str) -> Option<&'m Parameter> {
-    let found = model.quantities.iter().find(|quantity| quantity.path == path);
+    let found = model.quantity(path);
     if found.is_none() {
         let (message, help) = no_quantity(model, path);
         t.problem("quantity", message, help);

@@ -53,7 +53,7 @@ pub fn read(source: &Source, model: &Model, given: Vec<Input>, folder: &Path) ->
             columns.push(Column::Data);
             continue;
         }
-        let Some(known) = model.quantities.iter().find(|quantity| quantity.path == name) else {
+        let Some(known) = model.quantity(name) else {
             let (message, help) = no_quantity(model, name);
             return Err(refuse(Problem::new(message).help(help), 0));
         };

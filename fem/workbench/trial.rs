@@ -35,7 +35,7 @@ impl Session {
             return Err(Refusal::new("nothing was measured", "open a file of measurements"));
         };
         let si = |(path, value): (&String, &f64)| {
-            let own = model.quantities.iter().find(|own| own.path == *path);
+            let own = model.quantity(path);
             let own =
                 own.ok_or_else(|| Refusal::new(format!("the model has no `{path}`"), "name one of its values"))?;
             let (unit, symbol) = told::unit_of(model, own);

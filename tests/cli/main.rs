@@ -44,6 +44,7 @@ mod ring;
 mod rotary;
 mod served;
 mod set;
+mod shared_drawing;
 mod start;
 mod stiffness;
 mod story;

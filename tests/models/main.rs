@@ -88,3 +88,28 @@ fn tests_of_a_machine_are_the_same_whenever_they_are_read() {
     drop(one);
     assert_eq!(process.effects(), other.process.effects());
 }
+
+/// What two tests draw of their machine under one name is one quantity, and what one of them writes otherwise is told.
+#[test]
+fn tests_share_what_they_draw() {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/slant-bed");
+    let at = |name: &str| directory.join(name).display().to_string();
+    let own = |name: &str, more: &str| {
+        let text = std::fs::read_to_string(directory.join(name)).unwrap();
+        Model::parse(fem::Source::new(at(name), format!("{text}{more}")))
+    };
+    let together = |of_shaft: &str, of_pushed: &str| {
+        let models = [own("shaft.toml", of_shaft).unwrap(), own("pushed.toml", of_pushed).unwrap()];
+        Model::of_tests(models.into())
+    };
+    let joint = |value: &str| format!("\n[structure.tailstock-tilt]\nstiffness = \"{value}\"\n");
+    let paths = |model: &Model| -> Vec<String> { model.parameters.iter().map(|p| p.path.to_string()).collect() };
+    let rough = joint("1500 +- 400 kN*m/rad");
+    let shared = together(&rough, &rough).unwrap();
+    let tilt = "structure.tailstock-tilt.stiffness".to_string();
+    assert_eq!(paths(&shared).iter().filter(|path| path.ends_with(&tilt)).collect::<Vec<_>>(), [&tilt]);
+    // Who knows it exactly counts before who does not.
+    assert!(!paths(&together(&rough, "").unwrap()).contains(&tilt));
+    let error = together(&rough, &joint("1200 +- 400 kN*m/rad")).err().unwrap();
+    assert!(error.message.contains(&tilt) && error.message.contains("1200"), "{}", error.message);
+}

@@ -153,7 +153,7 @@ impl Shared {
 /// Values that a model gives for an effect, with the effect itself if it is one of its process; `None` where the model
 /// lacks it. A quantity that every model has to have, and that is unknown here, counts as lacking.
 fn said<'m>(model: &'m Model, acting: &Acting) -> Option<(&'m Model, Vec<Quantity>, Option<&'m Active>)> {
-    let written = |path: &str| model.quantities.iter().find(|q| q.path == path).map(|q| q.quantity);
+    let written = |path: &str| model.quantity(path).map(|q| q.quantity);
     match acting {
         Acting::Effect(own) => {
             let active = model.effects.iter().find(|e| e.description.name == own.name)?;
@@ -168,13 +168,12 @@ fn said<'m>(model: &'m Model, acting: &Acting) -> Option<(&'m Model, Vec<Quantit
     }
 }
 
-/// Reconciles a quantity in the tables of all tests of a unit, which no effect here is: the most exact value.
+/// Reconciles a quantity in the tables of some tests, which no effect here is: the most exact value.
 ///
 /// # Errors
 /// Two of them know it, and differently.
-pub fn agreed_of_unit(unit: &str, parameter: &Parameter, models: &[Model]) -> Result<Quantity, Problem> {
-    let said = models.iter().filter(|model| model.system.unit() == Some(unit));
-    let mut said = said.filter_map(|m| Some((m, m.quantities.iter().find(|q| q.path == parameter.path)?.quantity)));
+pub fn agreed_among<'m>(models: impl Iterator<Item = &'m Model>, parameter: &Parameter) -> Result<Quantity, Problem> {
+    let mut said = models.filter_map(|model| Some((model, model.quantity(&parameter.path)?.quantity)));
     let Some(mut known) = said.next() else { return Ok(parameter.quantity) };
     for other in said {
         known.1 = agreed((&parameter.path, parameter.kind), known, other)?;

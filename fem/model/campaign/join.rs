@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
+use super::drawing::known_of_drawings;
 use super::effects::{self, Acting, Shared};
 use super::layout::Layout;
 use super::system::Whole;
@@ -40,6 +41,7 @@ impl Model {
         let each = names.iter().enumerate();
         let origins = each.map(|(test, name)| origins((test, name), &models, &shared, &mut parameters));
         let origins = origins.collect::<Result<Vec<_>, Problem>>()?;
+        let quantities = known_of_drawings(&models).into();
         let tests =
             names.into_iter().zip(models).zip(origins).map(|((name, model), origins)| Test { name, model, origins });
         let tests: Vec<Test> = tests.collect();
@@ -54,7 +56,7 @@ impl Model {
             measurement,
             places: places(&parameters, &active, &[]),
             parameters,
-            quantities: Arc::default(),
+            quantities,
             odds,
             together: Together::default(),
             largest_change: None,

@@ -2,6 +2,7 @@
 //! and acts in every test that sees it. Everything that takes a model takes this one too.
 
 mod data;
+mod drawing;
 mod effects;
 mod forward;
 mod join;

@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
-use super::effects::{Acting, Shared, agreed_of_unit};
+use super::drawing::agreed_of_drawing;
+use super::effects::{Acting, Shared, agreed_among};
 use super::forward::Together;
 use super::layout::Layout;
 use crate::input::{Name, Parameter, ParameterId, Problem};
 use crate::model::Model;
 use crate::noise::MEASUREMENT;
-use crate::process::{Active, Description, Failure, ForwardModel};
+use crate::process::{Active, Description, Failure, ForwardModel, ON_TRIAL};
 use crate::units::{Knowledge, Quantity};
 
 /// Tests of one machine.
@@ -64,7 +65,7 @@ impl Campaign {
         &self.tests[test].model.process.observables()[own].name
     }
 
-    /// The tests with these parameters, SI, and effects.
+    /// The tests with these parameters, SI, effects, and values on trial of what they draw.
     pub(in crate::model) fn forward(
         &self,
         values: &[f64],
@@ -82,7 +83,14 @@ impl Campaign {
             };
             let values: Vec<f64> = test.origins.iter().map(value).collect();
             let own = self.own_effects(number, effects);
-            test.model.forward_of(&values, |_| own)
+            let on_trial = effects.iter().filter(|active| active.description.table == ON_TRIAL);
+            let drawn = on_trial.filter(|active| test.model.quantity(&active.description.name).is_some());
+            let drawn: Vec<(&str, f64)> =
+                drawn.filter_map(|active| Some((&*active.description.name, *active.values.first()?))).collect();
+            match drawn.is_empty() {
+                true => test.model.forward_of(&values, |_| own),
+                false => test.model.with_values(&drawn)?.forward_of(&values, |_| own),
+            }
         };
         let parts = self.tests.iter().enumerate().map(part).collect::<Result<_, _>>()?;
         Ok(Box::new(Together { parts, layout: self.layout.clone() }))
@@ -145,7 +153,8 @@ pub fn origins(
     let mut of_unit: Vec<(&str, Quantity)> = Vec::new();
     for quantity in tables.filter(|q| of_effect(&q.path).is_none()) {
         if let Some(unit) = unit {
-            of_unit.push((&quantity.path, agreed_of_unit(unit, quantity, models)?));
+            let of_unit_too = models.iter().filter(|model| model.system.unit() == Some(unit));
+            of_unit.push((&quantity.path, agreed_among(of_unit_too, quantity)?));
         }
     }
     let mut own = |path: ParameterId, quantity: Quantity, parameter: &Parameter| {
@@ -155,7 +164,14 @@ pub fn origins(
             parameters.len() - 1
         }))
     };
+    let of_drawing = agreed_of_drawing(model, models)?;
     let origin = |parameter: &Parameter| {
+        if let Some((_, quantity)) = of_drawing.iter().find(|(path, _)| parameter.path == *path) {
+            return match quantity.knowledge {
+                Knowledge::Known => Origin::Known(quantity.value),
+                _ => own(parameter.path.clone(), *quantity, parameter),
+            };
+        }
         let shared = of_unit.iter().find(|(path, _)| parameter.path == *path);
         match (of_effect(&parameter.path), shared, unit) {
             (Some(origin), ..) => origin,

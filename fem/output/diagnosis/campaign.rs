@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use serde_json::{Value as Json, json};
 
-use super::additions::{add, quoted, settings};
+use super::additions::{Addition, quoted, settings};
 use crate::compare::rms;
 use crate::diagnose::{Cause, Diagnosis, Missing, thinned};
 use crate::model::{Acting, Campaign, Data, Entry, Setting};
@@ -70,8 +70,13 @@ pub fn fits(data: &Data, d: &Diagnosis) -> String {
 /// The tests in which a cause acts, by their numbers, and as what.
 fn acts<'c>(campaign: &'c Campaign, data: &Data, missing: &Missing) -> Vec<(usize, Option<&'c Acting>)> {
     match &missing.cause {
-        // Tests put no values on trial, and no law is sought in them.
-        Cause::Physical | Cause::Value { .. } | Cause::Law(_) => {
+        // A value of what they draw.
+        Cause::Value { .. } => {
+            let has_it = |test: &usize| campaign.tests[*test].model.quantity(&missing.effect.name).is_some();
+            (0..campaign.tests.len()).filter(has_it).map(|test| (test, None)).collect()
+        }
+        // No law is sought in tests together.
+        Cause::Physical | Cause::Law(_) => {
             let shared = campaign.effect(&missing.effect.name);
             shared.map_or(Vec::new(), |shared| shared.acts.iter().map(|(test, acting)| (*test, Some(acting))).collect())
         }
@@ -115,8 +120,8 @@ pub fn commands(campaign: &Campaign, data: &Data, d: &Diagnosis) -> Vec<String> 
     let mut files: Vec<String> = campaign.tests.iter().map(|test| test.model.source.name.to_string()).collect();
     let mut tables: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     let mut by_hand: Vec<(usize, String)> = Vec::new();
-    let mut more = |test: usize, name: &str, settings: &[Setting]| {
-        let (line, to) = add(&files[test], name, settings);
+    let mut more = |test: usize, addition: Addition| {
+        let (line, to) = addition.command(&files[test]);
         lines.push(line);
         files[test] = to;
     };
@@ -125,16 +130,20 @@ pub fn commands(campaign: &Campaign, data: &Data, d: &Diagnosis) -> Vec<String> 
         for (test, acting) in acts(campaign, data, missing) {
             let model = &campaign.tests[test].model;
             match acting {
+                None if matches!(missing.cause, Cause::Value { .. }) => {
+                    let own = all.first().map(|own| Setting { key: missing.effect.name.to_string(), ..own.clone() });
+                    own.into_iter().for_each(|own| more(test, Addition::Value(own)));
+                }
                 Some(Acting::Quantity(path)) => {
                     let value = all.first().map_or(String::new(), |setting| setting.value.to_string());
                     by_hand.push((test, format!("{path} = \"{value}\"")));
                 }
-                Some(Acting::Effect(own)) => more(test, &own.name, &all),
+                Some(Acting::Effect(own)) => more(test, Addition::Effect(own.name.to_string(), all.clone())),
                 None => {
                     let names = tables.entry(test).or_default();
                     let name = model.free_table(&missing.effect.name, names);
                     names.push(name.clone());
-                    more(test, &name, &in_test(campaign, data, test, &all));
+                    more(test, Addition::Effect(name, in_test(campaign, data, test, &all)));
                 }
             }
         }
@@ -200,6 +209,7 @@ pub fn extend(all: &mut Json, campaign: &Campaign, data: &Data, d: &Diagnosis) {
     for (number, missing) in d.missing.iter().enumerate() {
         let place = |(test, acting): (usize, Option<&Acting>)| {
             let (own, path) = match acting {
+                None if matches!(missing.cause, Cause::Value { .. }) => (None, Some(&*missing.effect.name)),
                 Some(Acting::Effect(own)) => (Some(&own.name), None),
                 Some(Acting::Quantity(path)) => (None, Some(*path)),
                 None => (Some(&missing.effect.name), None),

@@ -41,7 +41,7 @@ pub fn model(bench: &Bench, text: &str, is_saved: bool) -> Json {
 
 /// Everything that has a value, in the order of the file.
 fn values(model: &Model, outline: &Outline) -> Vec<Json> {
-    let quantity = |path: &str| model.quantities.iter().find(|own| *own.path == *path);
+    let quantity = |path: &str| model.quantity(path);
     let listed: HashSet<&str> = outline.keys.iter().map(|own| &*own.path).collect();
     let of_outline = outline.keys.iter().map(|own| match quantity(&own.path) {
         Some(quantity) => value(model, quantity, &own.about),

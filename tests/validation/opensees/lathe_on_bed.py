@@ -1,9 +1,10 @@
-"""The lathe of models/lathe-on-bed.toml and pushed-lathe.toml in OpenSees: machine, shaft and carriage as one frame.
+"""The lathe of models/lathe-on-bed.toml, pushed-lathe.toml and slant-bed in OpenSees: machine, shaft and carriage as one frame.
 
 Shares nothing with fem. `pip install openseespy` (3.7.1), then `python lathe_on_bed.py` prints the diameter errors and
 readings of dials in um that `fem validate` holds its own against, and `python lathe_on_bed.py tailstock-tilt 0.4` a
-measurement of the pushed lathe whose joint of that name has that part of its stiffness, with noise of 0.3 um. With the word
-`compliances` it prints the file of models/measured-lathe.toml.
+measurement of the pushed lathe whose joint of that name has that part of its stiffness, with noise of 0.3 um; with a third
+word `shaft` one of the shaft that it turns, with noise of 1.5 um. With the word `compliances` it prints the file of
+models/measured-lathe.toml.
 """
 
 import math
@@ -130,10 +131,10 @@ def solve(loads):
         raise RuntimeError("OpenSees found no solution")
 
 
-def diameter_error(tool, chuck=False, rest=None, offset=0.0, force=450.0, carriage=80e6):
+def diameter_error(tool, chuck=False, rest=None, offset=0.0, force=450.0, carriage=80e6, joints=JOINTS):
     """Diameter error in um with the tool at x in mm; a rest of 30 N/um at x; the carriage so far beside the tool."""
     stand = tool + offset
-    f, bed, others = machine(JOINTS, [stand, *([rest] if rest else [])])
+    f, bed, others = machine(joints, [stand, *([rest] if rest else [])])
     places = sorted({0.0, 150.0, 450.0, 600.0, tool, *([rest] if rest else [])})
     shaft = {x: f.node(x, 0) for x in places}
     for a, b in zip(places, places[1:]):
@@ -180,6 +181,14 @@ def measured(joints, noise=0.3, seed=3):
                 yield f"{number},{dial},{force},{per_newton * force + scatter.gauss(0, noise):.2f}"
 
 
+def turned(joints, noise=1.5, seed=5):
+    """Diameter errors of the shaft between centres, as a file."""
+    scatter = random.Random(seed)
+    yield "x [mm],diameter_error [um]"
+    for x in range(10, 600, 20):
+        yield f"{x},{diameter_error(float(x), joints=joints) + scatter.gauss(0, noise):.1f}"
+
+
 def table():
     held = {
         "between centres": {},
@@ -197,8 +206,9 @@ def table():
 if __name__ == "__main__":
     if sys.argv[1:] == ["compliances"]:
         print("\n".join(compliances()))
-    elif len(sys.argv) == 3:
+    elif len(sys.argv) in (3, 4):
         joint, part = sys.argv[1], float(sys.argv[2])
-        print("\n".join(measured({**JOINTS, joint: part * JOINTS[joint]})))
+        test = turned if sys.argv[3:] == ["shaft"] else measured
+        print("\n".join(test({**JOINTS, joint: part * JOINTS[joint]})))
     else:
         print("\n".join(table()))
