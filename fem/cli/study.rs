@@ -11,7 +11,7 @@ use super::watch::watched;
 use crate::ask::do_jobs;
 use crate::input::Problem;
 use crate::output::files::Guard;
-use crate::output::study::{Earlier, StudyFolder, merge};
+use crate::output::study::{Earlier, StudyFolder, merge, parquet};
 use crate::output::{Folder, StudyAnswer};
 use crate::progress::Progress;
 use crate::study::{Layout, Shard, StudyPlan, Summary};
@@ -30,6 +30,10 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
         let problem = Problem::new("no plan is named");
         return Err(Error::from(problem.help("fem study PLAN.toml; `fem new study` writes one")));
     };
+    if let Some(path) = &args.parquet {
+        parquet::check(path)?;
+        Guard { reads: &[], force: args.force }.check(path)?;
+    }
     let plan = StudyPlan::load(file)?;
     let layout = plan.layout();
     let shard = args.shard.unwrap_or(Shard::ALL);
@@ -53,6 +57,10 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     if undone > 0 {
         say!("note: the time was over; {undone} jobs are left. The same command goes on with them");
         return print(&page(&StudyAnswer(&layout, &summary), args.json));
+    }
+    if let Some(path) = &args.parquet {
+        let reads: Vec<PathBuf> = reads.iter().cloned().chain([rows.clone()]).collect();
+        parquet::write(&rows, path, Guard { reads: &reads, force: args.force })?;
     }
     if shard != Shard::ALL {
         say!("note: these are the jobs of shard {shard}; `fem study merge` puts all of them together");

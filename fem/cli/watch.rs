@@ -11,6 +11,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::look;
 use super::say::say;
+use crate::input::end_at_faults;
 use crate::output::files;
 use crate::progress::Progress;
 
@@ -18,9 +19,10 @@ use crate::progress::Progress;
 const BAR_AFTER: Duration = Duration::from_secs(1);
 const LINE_EVERY: Duration = Duration::from_secs(5);
 
-/// Removes partial files on Ctrl-C and ends with the status that shells expect; and computes on one thread where
-/// the system gives no more.
+/// Removes partial files on Ctrl-C and ends with the status that shells expect; ends at once at a fault of its own; and
+/// computes on one thread where the system gives no more.
 pub fn prepare() {
+    end_at_faults();
     // Without a handler the program still works, and leaves at worst a hidden partial file when stopped.
     let _ = ctrlc::set_handler(|| {
         files::abandon();

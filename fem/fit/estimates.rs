@@ -39,6 +39,15 @@ const CONFLICTING: f64 = 4.0;
 /// Part of the prior uncertainty above which the data have hardly sharpened the prior.
 const UNSHARPENED: f64 = 0.95;
 
+/// Relative difference that is round-off.
+const ROUND_OFF: f64 = 1e-9;
+
+/// Whether an estimate hangs together with no other.
+fn stands_alone(covariance: &DMatrix<f64>, i: usize) -> bool {
+    let correlation = |j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
+    (0..covariance.nrows()).all(|j| j == i || correlation(j).abs() < ROUND_OFF)
+}
+
 /// Makes the estimates at a minimum, with warnings.
 pub fn estimates(
     objective: &Objective,
@@ -75,6 +84,9 @@ pub fn estimates(
             Some((written, prior)) if (value - written).abs() > CONFLICTING * prior => {
                 let times = (value - written).abs() / prior;
                 warnings.push(format!("{times:.0} of its standard uncertainties from what is written"));
+            }
+            Some((_, prior)) if std >= prior * (1.0 - ROUND_OFF) && stands_alone(covariance, i) => {
+                warnings.push("no row depends on it: a column states it, or nothing measured hangs on it".into());
             }
             Some((_, prior)) if std > UNSHARPENED * prior => {
                 warnings.push("the data hardly add to what was known".into());

@@ -4,6 +4,7 @@
 mod bounds;
 mod bytes;
 mod cells;
+mod damaged;
 mod doubt;
 mod excerpt;
 mod field;
@@ -26,6 +27,7 @@ mod written;
 pub use bounds::Bounds;
 pub use bytes::{Stamp, read as bytes_of, stamp};
 pub use cells::{line_at, name_and_unit, no_csv, number, parted_by_commas};
+pub use damaged::{end_at_faults, unless_damaged};
 pub use doubt::{Doubt, Grows};
 pub use excerpt::{Excerpt, shortened};
 pub use field::{Choice, Count, Field};

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::instrument::{self, text_of_rtx};
 use super::reading::Reading;
 use super::sheet::{self, Parted, Sheet};
-use super::{layout, lexicon, workbook};
+use super::{layout, lexicon, parquet, workbook};
 use crate::input::{InputError, Problem, Source};
 
 /// Largest measurement file, bytes: some ten million rows.
@@ -43,7 +43,7 @@ pub fn open(path: &Path, said: &Reading) -> Result<Exported, InputError> {
     let mut is_workbook = false;
     let mut sheets = Vec::new();
     let binary = |bytes: &[u8]| {
-        let workbook = workbook::text(bytes, said, &mut told, &mut sheets);
+        let workbook = workbook::text(bytes, said, &mut told, &mut sheets).or_else(|| parquet::text(bytes));
         is_workbook = workbook.is_some();
         workbook.or_else(|| text_of_rtx(bytes))
     };

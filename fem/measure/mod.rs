@@ -18,6 +18,7 @@ mod lexicon;
 mod moment;
 mod neighbours;
 mod ordinals;
+mod parquet;
 mod preview;
 mod read;
 mod reading;
@@ -41,6 +42,8 @@ pub use grid::step_of;
 pub use join::{FILE, FILE_WORD, MeasuredFile, grouping_name};
 pub use neighbours::of_neighbours;
 pub use ordinals::Ordinals;
+#[cfg(all(test, feature = "parquet"))]
+pub use parquet::text as text_of_parquet;
 pub use preview::{Imported, Preview};
 pub use reading::Reading;
 pub use records::{RecordReader, Records};

@@ -353,3 +353,16 @@ fn what_places_and_pallets_are_off_by_is_told_and_found() {
     place.write("level.toml", [&text[..sites], &blank, &text[sizes..]].concat());
     insta::assert_snapshot!("places_found", place.fem(&["diagnose", "level.toml", "--with", "measured.csv"]).out);
 }
+
+/// A force that every row states is no part of the fit, whatever the model says of it.
+#[test]
+fn a_fit_says_that_every_row_states_the_force() {
+    let place = Place::new();
+    let rough = model("fixture.toml").replace("force = \"4 kN\"", "force = \"4 +- 0.5 kN\"");
+    place.write("fixture.toml", rough);
+    let rows = (1..8).map(|i| format!("{},{},{}\n", 60 * i, 400 * i, i % 3)).collect::<String>();
+    place.write("m.csv", format!("x [mm],clamp_force [N],height_error [um]\n{rows}"));
+    let answer = place.fem(&["fit", "fixture.toml", "--with", "m.csv"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    assert_eq!(answer.out.matches("no row depends on it: a column states it").count(), 2, "{}", answer.out);
+}

@@ -454,3 +454,21 @@ fn mistakes_in_a_plan_are_told_with_their_remedy() {
         assert!(told.status == 2 && told.err.contains(message), "{points}: {}", told.err);
     }
 }
+
+/// The rows in a form that other programs take; they stay in `rows.csv`, from which the study goes on.
+#[test]
+fn rows_are_written_as_parquet_too() {
+    let place = place("type = \"random\"\nsamples = 8", "");
+    let study = ["study", "plan.toml", "-o", "out", "--parquet"];
+    let answer = place.fem(&[&study[..], &["rows.parquet"]].concat());
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let bytes = std::fs::read(place.path("rows.parquet")).unwrap();
+    assert!(bytes.starts_with(b"PAR1") && bytes.ends_with(b"PAR1"));
+    assert_eq!(rows(&place, "out/rows.csv").len(), 8);
+    // A name that says something else is refused before anything is computed, and what somebody else wrote stays.
+    let args = [&study[..], &["rows.csv"]].concat();
+    place.is_refused(&args, "another ending", ("rows.csv does not end in .parquet", "name the file that is written"));
+    place.write("other.parquet", "mine");
+    assert_eq!(place.fem(&[&study[..], &["other.parquet"]].concat()).status, 2);
+    assert_eq!(place.read("other.parquet"), "mine");
+}

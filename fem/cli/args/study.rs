@@ -36,6 +36,9 @@ pub struct Study {
     /// Go on with rows, or drop them, that you have not begun on this account
     #[arg(long)]
     pub force: bool,
+    /// Write the finished rows as Parquet too (where the program was built with the feature `parquet`)
+    #[arg(long, value_name = "ROWS.parquet")]
+    pub parquet: Option<PathBuf>,
     #[command(flatten)]
     pub limit: Limit,
     /// Print JSON

@@ -4,6 +4,7 @@ mod folder;
 mod json;
 mod layout;
 mod merge;
+pub mod parquet;
 mod rows;
 mod text;
 
