@@ -2,17 +2,21 @@
 
 use super::workpiece::Increment;
 
+/// More decimals than a number has that counts in metres and is exact to its last bit.
+const MOST_DECIMALS: usize = 17;
+
 /// A number, a whole number of increments, written as another one is: with as many decimals, or as many more as it needs, up to
 /// those of the increment; with its sign, its zeros in front, and its point.
 pub fn like(old: &str, value: f64, increment: Increment) -> String {
     let (is_signed, digits) = (old.starts_with('+'), old.trim_start_matches(['+', '-']));
     let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
+    let written = decimals.len().min(MOST_DECIMALS);
     let is_written = |decimals: usize| {
         let scaled = value * 10f64.powi(decimals as i32);
         (scaled - scaled.round()).abs() < 1e-4
     };
-    let most = decimals.len().max(increment.decimals);
-    let needed = (decimals.len()..most).find(|decimals| is_written(*decimals)).unwrap_or(most);
+    let most = written.max(increment.decimals);
+    let needed = (written..most).find(|decimals| is_written(*decimals)).unwrap_or(most);
     let mut text = format!("{:.needed$}", value.abs());
     if needed == 0 && digits.contains('.') {
         text.push('.');
@@ -54,6 +58,7 @@ mod tests {
             ("0040.5", 39.5, "0039.5"),
             ("-0.001", 0.0, "0.000"),
             ("-10", 10.5, "10.5"),
+            (&*format!("0.{}", "0".repeat(70_000)), 0.5, "0.50000000000000000"),
         ] {
             assert_eq!(like(old, value, fine), new, "{old} {value}");
         }

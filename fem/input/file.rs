@@ -47,6 +47,12 @@ impl Reader<'_> {
         };
         self.keep_file(FileKey { written: written.into(), path: self.path_of(key).into() });
         let path = self.folder().join(written);
+        // A pipe without a writer would be waited for, and nobody told why.
+        if path.metadata().is_ok_and(|about| !about.is_file() && !about.is_dir()) {
+            let problem = Problem::new(format!("{}: this is a pipe or a device", path.display()));
+            self.refuse(problem.help("name a file").at(item.span()));
+            return None;
+        }
         match self.kept::<Files>().get_or(path.clone(), |path| read(path, limit).map(Arc::from)) {
             Ok(bytes) => Some(NamedFile { path, bytes: bytes.as_ref().clone() }),
             Err(problem) => {

@@ -366,3 +366,13 @@ fn a_fit_says_that_every_row_states_the_force() {
     assert_eq!(answer.status, 0, "{}", answer.err);
     assert_eq!(answer.out.matches("no row depends on it: a column states it").count(), 2, "{}", answer.out);
 }
+
+/// A machine gives way otherwise under each place, and is drawn under one.
+#[test]
+fn several_places_on_a_drawn_machine_are_refused() {
+    let place = Place::new();
+    let places = "[[place]]\nat = \"0 mm\"\n[[place]]\nat = \"260 mm\"\n";
+    place.write("mill.toml", format!("{}\n{places}", model("portal-mill.toml")));
+    let told = ("gives way otherwise under another place", "write a model for each place");
+    place.is_refused(&["run", "mill.toml"], "two places", told);
+}

@@ -311,3 +311,45 @@ fn a_machine_may_be_drawn_around_a_ring() {
     ];
     place.refuses(("run", "ring.toml"), &good, &mistakes);
 }
+
+/// Short jaws squeeze a wide ring where they press: sections differ, and a file says with `z` which of them it has.
+#[test]
+fn a_wide_ring_in_short_jaws_differs_along_it() {
+    let place = Place::new();
+    let wide = model("wide-ring.toml");
+    place.write("ring.toml", &wide);
+    let answer = place.fem(&["run", "ring.toml", "-o", "out"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    insta::assert_snapshot!(answer.out);
+    // The jaws held along all of it leave a ring that is the same everywhere, and that a plane one agrees with as far as its
+    // sections hinder each other little.
+    let all = wide.replace("jaw_width = \"15 mm\"", "jaw_width = \"60 mm\"");
+    let plane = wide.replace("jaw_width = \"15 mm\"", "").replace("jaw_from = \"0 mm\"", "");
+    let form = |text: &str| {
+        place.write("other.toml", text);
+        let answer = place.fem(&["run", "other.toml", "-o", "other"]);
+        assert_eq!(answer.status, 0, "{}", answer.err);
+        place.column("other/profile.csv", "deviation [um]").into_iter().fold(0.0, f64::max)
+    };
+    assert!((form(&all) / form(&plane) - 1.0).abs() < 0.05, "{} {}", form(&all), form(&plane));
+    let rows: String = [0, 30, 60].map(|angle| format!("{angle},55,0.0\n")).concat();
+    place.write("m.csv", format!("angle [deg],z [mm],deviation [um]\n{rows}"));
+    assert_eq!(place.fem(&["compare", "ring.toml", "--with", "m.csv"]).status, 0);
+    place.write("m.csv", "angle [deg],z [mm],deviation [um]\n0,75,0.0\n");
+    let told = ("z = 75 mm is not on the ring, which is 60 mm wide", "");
+    place.is_refused(&["compare", "ring.toml", "--with", "m.csv"], "beyond the ring", told);
+    place.refuses(
+        ("run", "ring.toml"),
+        &wide,
+        &[
+            (
+                "jaw_width = \"15 mm\"",
+                "jaw_width = \"75 mm\"",
+                "press up to 75 mm, and the ring is 60 mm wide",
+                "face at the chuck",
+            ),
+            ("jaw_width = \"15 mm\"", "", "not said over which length", "add jaw_width"),
+            ("at = \"7.5 mm\"", "at = \"70 mm\"", "the section lies at 70 mm", "face at the chuck"),
+        ],
+    );
+}

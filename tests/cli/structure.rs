@@ -296,3 +296,30 @@ fn compliances_that_cannot_be_are_told_with_their_remedy() {
         place.is_refused(&["run", "measured.toml"], by, (*message, *remedy));
     }
 }
+
+/// A node carries what stands at its place; a force beside it would turn it.
+#[test]
+fn what_stands_beside_its_node_is_told() {
+    let good = model("lathe-on-bed.toml");
+    Place::new().refuses(
+        ("run", "lathe.toml"),
+        &good,
+        &[
+            (
+                "headstock = \"nose\"",
+                "headstock = \"spindle\"",
+                "`headstock` is the node `spindle` at x = -200 mm, and what stands there is at x = 0 mm",
+                "name the node at its place",
+            ),
+            ("tailstock = \"centre\"", "tailstock = \"quill\"", "at x = 720 mm", "members along x"),
+        ],
+    );
+    // Of members that each name their material none need be said of all.
+    let each = good.replace("material = \"cast-iron\"\n", "").replace("wall = ", "material = \"cast-iron\"\nwall = ");
+    let place = Place::new();
+    place.write("lathe.toml", &each);
+    assert_eq!(place.fem(&["run", "lathe.toml", "-o", "out"]).status, 0);
+    place.write("lathe.toml", good.replace("material = \"cast-iron\"\n", ""));
+    let told = ("`material` is missing in `structure.bed-a`", "add material");
+    place.is_refused(&["run", "lathe.toml"], "a member without a material", told);
+}

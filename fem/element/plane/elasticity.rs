@@ -32,8 +32,8 @@ pub enum PlaneState {
 /// The elastic law of a plane body of uniform thickness, or of a body of revolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elasticity {
-    lambda: f64,
-    mu: f64,
+    pub(super) lambda: f64,
+    pub(super) mu: f64,
     /// Stress −σ per K of rise in a body held fast, Pa/K.
     thermal_stress: f64,
     /// Whether the body is free to grow across its plane.

@@ -19,6 +19,7 @@ mod tests;
 mod thickness;
 mod tri3;
 mod tri6;
+mod waves;
 
 use std::fmt;
 

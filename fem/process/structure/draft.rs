@@ -115,14 +115,21 @@ impl Drawn {
     pub fn failure(&self, error: JointsError) -> Failure {
         let JointsError::Open { seat, load } = error else { return error.into() };
         let name = self.seats.get(seat).map_or("", |own| self.joints[own.spring].as_str());
+        let direction = self.seats.get(seat).map(|own| self.factored.structure().springs[own.spring].at.direction);
+        let way = match direction {
+            Some(Direction::X) => "x",
+            Some(Direction::Turn) => "turning",
+            _ => "y",
+        };
         Failure {
             message: format!(
                 "`structure.{name}` opens under a force of {}, and nothing else holds what it held",
                 FORCE.format(load)
             ),
-            help: "raise its preload, or look whether it is pressed along its direction or against it: along = \"y\", \
-                   \"-y\""
-                .into(),
+            help: format!(
+                "raise its preload, or look whether it is pressed along its direction or against it: along = \"{way}\", \
+                 \"-{way}\""
+            ),
         }
     }
 

@@ -12,10 +12,12 @@ use crate::units::{CONTACT_COEFFICIENT, FORCE, LENGTH, MICRO, NUMBER, ROTATIONAL
 
 /// Members shorter than this have no length, m.
 const SHORTEST: f64 = 1e-6;
+/// What stands no further beside a node stands on it, m.
+const BESIDE: f64 = 0.01;
 /// More members and joints than anybody draws.
 const MOST: usize = 10_000;
-/// The words for directions.
-const DIRECTIONS: &[(&str, Direction)] = &[("y", Direction::Y), ("x", Direction::X), ("turning", Direction::Turn)];
+/// The words for directions of forces and dials.
+const ACROSS: &[(&str, Direction)] = &[("y", Direction::Y), ("x", Direction::X)];
 /// The same with the sense in which a joint is pressed.
 const PRESSED: &[(&str, (Direction, f64))] = &[
     ("y", (Direction::Y, 1.0)),
@@ -63,10 +65,12 @@ impl Draft {
         let nodes = t.table("nodes", about, |t| t.named_pairs(LENGTH, "x and y of the node"));
         (draft.nodes, draft.structure.nodes) = nodes.into_iter().unzip();
         draft.drawn = draft.nodes.len();
-        let material = Material::read(t, "material");
+        // Who has no members, or says it of each, need not say it of all.
+        let material = (t.has("material") || t.is_described()).then(|| Material::read(t, "material"));
+        t.may_be_left_out("material");
         draft.structure.held = draft.read_supports(t);
         let about = "a member (`between`, `section`) or a joint (`at` or `between`, `along`, `stiffness`)";
-        let drawn = t.own_tables(&[PORTS], about, |_, t| draft.read_part(t, &material));
+        let drawn = t.own_tables(&[PORTS], about, |_, t| draft.read_part(t, material.as_ref()));
         if drawn.len() > MOST {
             t.problem("", format!("{} members and joints are more than {MOST}", drawn.len()), "draw fewer");
         }
@@ -109,7 +113,7 @@ impl Draft {
         [all, of("pinned", pinned, &[Direction::X, Direction::Y])].concat()
     }
 
-    fn read_part(&self, t: &Reader, material: &Material) -> Option<Part> {
+    fn read_part(&self, t: &Reader, material: Option<&Material>) -> Option<Part> {
         let between = t.texts("between", "the two nodes that it joins");
         let is_joint = t.has("along") || t.has("at");
         let (mut member, mut joint) = (None, None);
@@ -122,8 +126,11 @@ impl Draft {
         member.or(joint)
     }
 
-    fn read_member(&self, t: &Reader, between: Option<&[String]>, material: &Material) -> Option<Part> {
-        let material = Material::read_or(t, "material", material);
+    fn read_member(&self, t: &Reader, between: Option<&[String]>, material: Option<&Material>) -> Option<Part> {
+        let material = match material {
+            Some(other) => Material::read_or(t, "material", other),
+            None => Material::read(t, "material"),
+        };
         let section = read_section(t, &material);
         if between.is_none() && !t.is_described() {
             let help = "a member has between = [\"NODE\", \"NODE\"] and a section, a joint `at` or `between`, `along` and \
@@ -199,10 +206,7 @@ impl Draft {
     pub fn port(&self, t: &Reader) -> Option<Port> {
         let at = t.text("at", "the node");
         let from = t.text("from", "the node against which it stands; the ground if left out");
-        let direction = t.choice("along", "the direction", DIRECTIONS).or_first(Direction::Y);
-        if direction == Direction::Turn {
-            t.problem("along", "forces and dials are along x or y", "write along = \"x\" or \"y\"");
-        }
+        let direction = t.choice("along", "the direction", ACROSS).or_first(Direction::Y);
         let Some(at) = at else {
             t.problem("", "`at` is missing: the node", "add at = \"NODE\"");
             return None;
@@ -218,6 +222,10 @@ impl Draft {
 
     /// Reads the node on which something stands, along y; `what` ("the cutter is held") is what members would leave open.
     pub fn holder(&self, t: &Reader, key: &'static str, about: &'static str, what: &str) -> Option<Freedom> {
+        if !t.has(key) && !t.is_described() {
+            t.problem("", format!("`{key}` is missing: {about}"), format!("add {key} = \"NODE\""));
+            return None;
+        }
         match self.stand(t, key, about)? {
             Stand::Node(node) => Some(Freedom { node, direction: Direction::Y }),
             Stand::Along(_) => {
@@ -225,6 +233,20 @@ impl Draft {
                 None
             }
         }
+    }
+
+    /// Tells of what stands beside the node that it is said to stand on: what its force turns would be lost.
+    pub fn check_place(&self, t: &Reader, key: &str, stand: &Stand, x: f64) {
+        let Stand::Node(node) = stand else { return };
+        let at = self.structure.nodes[*node][0];
+        if (at - x).abs() <= BESIDE || !t.is_as_written() {
+            return;
+        }
+        let (name, [at, x]) = (&self.nodes[*node], [at, x].map(|own| LENGTH.format(own)));
+        let message = format!("`{key}` is the node `{name}` at x = {at}, and what stands there is at x = {x}");
+        let help =
+            "name the node at its place, or members along x; a force beside a node would turn it, which is not seen";
+        t.problem(key, message, help);
     }
 
     /// Reads what something stands on: a node, or members along x. Told where it is missing.

@@ -50,7 +50,12 @@ fn read_places(t: &Reader, draft: &mut Draft) -> Option<Vec<(Freedom, f64)>> {
     let spindle = is_asked.then(|| node("spindle", "the node that holds the chuck; it stands firm if left out"));
     let mut pushed = vec![(tool?, 1.0)];
     if let Some(spindle) = spindle {
-        pushed.push((spindle?, -1.0));
+        let spindle = spindle?;
+        if spindle == pushed[0].0 {
+            let help = "draw what lies between them: a machine on which nothing parts them is none";
+            t.problem("spindle", "tool and spindle are held by one node, which nothing parts", help);
+        }
+        pushed.push((spindle, -1.0));
     }
     Some(pushed)
 }

@@ -1,15 +1,22 @@
 //! Deviation of the cut surface in every row: what the jaws squeeze, and what the cut adds.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+
 use super::body::Body;
 use super::circle::evenly;
+use super::grip::Grip;
 use super::jaws::Group;
 use super::machine::{BorePoint, Machine};
-use super::response::{Proportions, Response};
-use super::rows::{self, ANGLE_OF_ROW, CLAMPED, JAW_FORCE, ORIENTATION, SPEED, STATE};
+use super::response::{BoreSeries, Proportions, Response};
+use super::rows::{self, ANGLE_OF_ROW, CLAMPED, JAW_FORCE, ORIENTATION, SECTION, SPEED, STATE};
+use super::setup::Setup;
+use super::tube::{Sections, Shape};
 use crate::process::{Failure, Forward, Rows};
 
-/// Radial displacement of the cut surface per newton of mean force of some jaws at an angle (rad), m/N, positive outwards.
-type Motion = Box<dyn Fn(f64) -> f64>;
+/// Radial displacement of the cut surface per newton of mean force of some jaws at an angle (rad) of a section (m, from the face at
+/// the chuck), m/N, positive outwards.
+type Motion = Box<dyn Fn(f64, f64) -> f64>;
 
 /// The cut surface under the jaws of a chuck.
 pub struct Squeeze {
@@ -18,9 +25,10 @@ pub struct Squeeze {
 }
 
 impl Squeeze {
-    /// Radial displacement at an angle (rad), m, where `force_of` gives the force (N) of jaws of a part of that at standstill.
-    pub fn at(&self, angle: f64, force_of: impl Fn(f64) -> f64) -> f64 {
-        self.groups.iter().map(|(part, motion)| motion(angle) * force_of(*part)).sum()
+    /// Radial displacement at an angle (rad) of a section (m, from the face at the chuck), m, where `force_of` gives the force (N)
+    /// of jaws of a part of that at standstill.
+    pub fn at(&self, [angle, section]: [f64; 2], force_of: impl Fn(f64) -> f64) -> f64 {
+        self.groups.iter().map(|(part, motion)| motion(angle, section) * force_of(*part)).sum()
     }
 }
 
@@ -48,13 +56,38 @@ fn motion(machine: &Machine, Group { jaws, .. }: &Group, is_even: bool) -> Resul
         Body::Cells(mesh) => *mesh,
         Body::Drawn(drawn) => {
             let shape = drawn.bore_under(poisson_ratio, jaws)?;
-            return Ok(Box::new(move |angle| compliance * shape.radial(angle)));
+            return Ok(Box::new(move |angle, _| compliance * shape.radial(angle)));
         }
     };
     let step = if is_even { jaws.len() } else { 1 };
+    if let Some(reach) = setup.reach {
+        let sections = setup.sections.get_or(shape(setup, reach, mesh.radial, step), Sections::solve)?;
+        let (jaws, outer) = (jaws.clone(), setup.outer_radius);
+        // Rows come section by section, or have few of them.
+        let known: RefCell<HashMap<u64, BoreSeries>> = RefCell::default();
+        return Ok(Box::new(move |angle, section| {
+            let mut known = known.borrow_mut();
+            let own = known.entry(section.to_bits()).or_insert_with(|| sections.at(section / outer).under(&jaws));
+            compliance * own.radial(angle)
+        }));
+    }
     let ring = Proportions { ratio: setup.inner_radius / setup.outer_radius, poisson_ratio, mesh, step };
     let series = setup.responses.get_or(ring, Response::solve)?.under(jaws);
-    Ok(Box::new(move |angle| compliance * series.radial(angle)))
+    Ok(Box::new(move |angle, _| compliance * series.radial(angle)))
+}
+
+/// The ring as one that jaws press on a part of its width.
+fn shape(setup: &Setup, reach: [f64; 2], radial: usize, step: usize) -> Shape {
+    let outer = setup.outer_radius;
+    Shape {
+        ratio: setup.inner_radius / outer,
+        width: setup.width / outer,
+        reach: reach.map(|end| end / outer),
+        is_outside: setup.grip == Grip::Outside,
+        poisson_ratio: setup.material.poisson_ratio,
+        radial,
+        step,
+    }
 }
 
 /// Deviation of every row from the set circle, m.
@@ -67,15 +100,16 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
     let one = |row: usize| {
         let value = |column| rows.get(column, row);
         let angle = value(ANGLE_OF_ROW).unwrap_or(0.0);
+        let place = [angle, value(SECTION).unwrap_or(setup.section)];
         let force = value(JAW_FORCE).unwrap_or(setup.jaw_force);
         if value(STATE) == Some(CLAMPED) {
             // Before it is cut, at standstill.
-            return squeeze.at(angle, |part| part * force);
+            return squeeze.at(place, |part| part * force);
         }
         let speed = value(SPEED).unwrap_or(setup.speed());
         let orientation = value(ORIENTATION).unwrap_or(0.0);
         let blank = rows::blank(setup, rows, row);
-        let squeezed = squeeze.at(angle, |part| machine.force_at(part * force, speed));
+        let squeezed = squeeze.at(place, |part| machine.force_at(part * force, speed));
         machine.deviation(&BorePoint { angle, orientation, blank }, squeezed)
     };
     Ok((0..rows.len()).map(one).collect())

@@ -23,6 +23,7 @@ mod report;
 mod response;
 pub(crate) mod rows;
 mod setup;
+mod tube;
 
 pub use body::Body;
 pub use drawn::Drawn;
@@ -92,8 +93,8 @@ impl Definition for Ring {
         Some((&setup.allowed, &allowed::ALLOWED))
     }
 
-    fn misplaced(_setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
-        rows::misplaced(rows)
+    fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
+        rows::misplaced(setup, rows)
     }
 
     fn programme(setup: &Setup) -> Rows {

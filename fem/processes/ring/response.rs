@@ -107,6 +107,11 @@ impl Proportions {
 }
 
 impl Response {
+    /// The response with these compliances: c₀, then those of the multiples of `step`.
+    pub fn new(step: usize, compliances: Vec<f64>) -> Self {
+        Self { step, compliances }
+    }
+
     /// The response of a ring.
     ///
     /// # Errors

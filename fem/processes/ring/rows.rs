@@ -8,7 +8,7 @@ use super::setup::{Reference, Setup};
 use crate::process::{
     Absent, CandidateExperiment, Coordinate, DatumDirection, Holds, Misplaced, Observable, Places, Rows, Values,
 };
-use crate::units::{ANGLE, FORCE, MICRO, SPINDLE_SPEED};
+use crate::units::{ANGLE, FORCE, LENGTH, MICRO, SPINDLE_SPEED};
 
 /// No part is as far off, m.
 const FAR_OFF: f64 = 5e-3;
@@ -40,6 +40,8 @@ pub const BLANK: usize = 4;
 pub const RUN: usize = 5;
 /// Angle of the ring's mark.
 pub const ORIENTATION: usize = 6;
+/// Section, from the face at the chuck.
+pub const SECTION: usize = 7;
 
 /// In the order of their positions.
 pub const COORDINATES: &[Coordinate] = &[
@@ -50,14 +52,20 @@ pub const COORDINATES: &[Coordinate] = &[
     Coordinate::new("blank", "radial deviation before it is cut", Holds::Quantity(MICRO), Absent::Model),
     Coordinate::new("run", "number of the set-up", Holds::Number(1), Absent::Value(1.0)),
     Coordinate::new("orientation", "the ring's mark from jaw 1", Holds::Quantity(ANGLE), Absent::Value(0.0)),
+    Coordinate::new("z", "from the ring's face at the chuck", Holds::Quantity(LENGTH), Absent::Model),
 ];
 const STATES: &[&str] = &["released", "clamped"];
 /// Position in [`STATES`].
 pub const CLAMPED: f64 = 1.0;
 
 /// Rows that no chuck can give.
-pub fn misplaced(rows: &Rows) -> Vec<Misplaced> {
+pub fn misplaced(setup: &Setup, rows: &Rows) -> Vec<Misplaced> {
     let check = |row: usize| {
+        if let Some(z) = rows.get(SECTION, row).filter(|z| !(0.0..=setup.width * (1.0 + 1e-9)).contains(z)) {
+            let [z, width] = [z, setup.width].map(|length| LENGTH.format(length));
+            let message = format!("z = {z} is not on the ring, which is {width} wide");
+            return Some(Misplaced { row, coordinate: SECTION, message });
+        }
         let below = |column: &usize| rows.get(*column, row).is_some_and(|v| v < 0.0);
         // A gauge has contacts all around.
         if rows.observable[row] != DEVIATION && rows.get(BLANK, row).is_some_and(|v| v != 0.0) {
@@ -75,7 +83,8 @@ pub fn misplaced(rows: &Rows) -> Vec<Misplaced> {
 /// The released surface at some angles (rad) in a set-up of the model's own conditions, from a true blank.
 fn set_up(setup: &Setup, run: f64, angles: Vec<f64>) -> Rows {
     let mut columns = vec![Values::shared(0.0, angles.len()); COORDINATES.len()];
-    for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed()), (RUN, run)] {
+    let own = [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed()), (RUN, run), (SECTION, setup.section)];
+    for (column, value) in own {
         columns[column].fill(value);
     }
     let observable = Values::shared(DEVIATION, angles.len());
@@ -108,7 +117,7 @@ pub fn blank(setup: &Setup, rows: &Rows, row: usize) -> f64 {
 pub fn resolved(setup: &Setup, rows: &Rows) -> Rows {
     let mut resolved = rows.clone();
     resolved.columns[BLANK] = (0..rows.len()).map(|row| blank(setup, rows, row)).collect();
-    for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed())] {
+    for (column, value) in [(JAW_FORCE, setup.jaw_force), (SPEED, setup.speed()), (SECTION, setup.section)] {
         resolved.columns[column].fill_absent(value);
     }
     resolved
@@ -123,7 +132,7 @@ pub fn places(setup: &Setup, rows: &Rows) -> Places {
         set_up.iter().for_each(|row| frames[*row] = 1.0 + i as f64);
     }
     Places {
-        points: (0..rows.len()).map(|row| direction(row).map(|d| d * setup.cut_radius())).collect(),
+        points: (0..rows.len()).map(|row| on_surface(setup, rows, row, direction(row))).collect(),
         directions: (0..rows.len()).map(direction).collect(),
         along: (0..rows.len()).map(angle).collect(),
         references: vec![0.0; rows.len()],
@@ -131,12 +140,18 @@ pub fn places(setup: &Setup, rows: &Rows) -> Places {
     }
 }
 
-/// The rows of each set-up: equal run, state, jaw force and spindle speed.
+/// The place of a row in space, m; along the axis from the middle of the ring.
+fn on_surface(setup: &Setup, rows: &Rows, row: usize, direction: [f64; 3]) -> [f64; 3] {
+    let [x, y, _] = direction.map(|d| d * setup.cut_radius());
+    [x, y, rows.get(SECTION, row).unwrap_or(setup.section) - 0.5 * setup.width]
+}
+
+/// The rows of each set-up: equal run, state, jaw force, spindle speed and section.
 pub fn set_ups(rows: &Rows) -> Vec<Vec<usize>> {
-    let mut numbers: HashMap<[u64; 4], usize> = HashMap::new();
+    let mut numbers: HashMap<[u64; 5], usize> = HashMap::new();
     let mut set_ups: Vec<Vec<usize>> = Vec::new();
     for row in 0..rows.len() {
-        let key = [RUN, STATE, JAW_FORCE, SPEED].map(|column| rows.columns[column][row].to_bits());
+        let key = [RUN, STATE, JAW_FORCE, SPEED, SECTION].map(|column| rows.columns[column][row].to_bits());
         let number = *numbers.entry(key).or_insert(set_ups.len());
         if number == set_ups.len() {
             set_ups.push(Vec::new());
@@ -179,6 +194,11 @@ pub fn candidate_experiments(setup: &Setup, rows: &Rows) -> Vec<CandidateExperim
         experiment("cut a ring that is oval by 100 um before", BLANK, &|angle| 5e-5 * (2.0 * angle).cos()),
         experiment("measure the ring clamped, before it is cut", STATE, &|_| CLAMPED),
     ];
+    if let Some([from, to]) = setup.reach {
+        // The end that is farther from the jaws.
+        let far = if from > setup.width - to { 0.0 } else { setup.width };
+        experiments.push(experiment("measure the ring at its other end", SECTION, &|_| far));
+    }
     if setup.speed() > 0.0 {
         experiments.push(experiment("cut another ring at half the spindle speed", SPEED, &|_| 0.5 * setup.speed()));
     }

@@ -11,6 +11,7 @@ use super::grip::Grip;
 use super::instrument::Instrument;
 use super::membrane::{Grasp, Membrane};
 use super::response::{Proportions, Response};
+use super::tube::{Sections, Shape};
 use crate::input::{Cache, Reader};
 use crate::material::Material;
 use crate::process::Allowed;
@@ -58,6 +59,10 @@ pub struct Setup {
     pub arc: f64,
     /// Force of each jaw at standstill, N.
     pub jaw_force: f64,
+    /// Where the jaws press along the ring, from its face at the chuck, m; all along it where this is not said.
+    pub reach: Option<[f64; 2]>,
+    /// Section in which the cut surface is predicted, from that face, m.
+    pub section: f64,
     /// How a membrane makes it, if one does.
     pub grasp: Option<Grasp>,
     /// Friction between jaws and ring.
@@ -76,6 +81,8 @@ pub struct Setup {
     pub body: Body,
     /// Rings of equal cells that were solved for this model, at any values of what it does not know.
     pub responses: Arc<Cache<Proportions, Response, 16>>,
+    /// Rings that jaws press on a part of their width, in the same way.
+    pub sections: Arc<Cache<Shape, Sections, 16>>,
     /// Circle that deviations are measured from.
     pub reference: Reference,
     /// Filter and gauge.
@@ -108,8 +115,8 @@ impl Setup {
             (material, radii, width, blank)
         });
         let about = "the chuck that holds the ring by its outside, or by its bore";
-        let Chuck { grip, jaws, jaw_force, membrane, friction, margin } =
-            model.table("chuck", about, |t| Chuck::read(t, is_drawn));
+        let Chuck { grip, jaws, jaw_force, reach, membrane, friction, margin } =
+            model.table("chuck", about, |t| Chuck::read(t, is_drawn, width));
         let cut = model.optional_table("cut", "how the ring is cut", |t| {
             let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed while it is cut").not_negative();
             let force = t.quantity("force_per_depth", FORCE_PER_DEPTH, "radial force of the cut per depth of cut");
@@ -128,7 +135,7 @@ impl Setup {
             model.problem("structure", "the machine is drawn, and the force of the cut is not said", help);
         }
         let body = body::read(model, jaws, radii);
-        let (reference, instrument, points) = read_measurement(model, grip);
+        let (reference, instrument, points, section) = read_measurement(model, grip, width);
         let allowed = model
             .optional_table("tolerance", "what the drawing asks of the cut surface", |t| Allowed::read(t, &ALLOWED))
             .unwrap_or_default();
@@ -146,6 +153,8 @@ impl Setup {
             jaw_angles,
             arc,
             jaw_force,
+            reach,
+            section,
             grasp: None,
             friction,
             margin,
@@ -155,6 +164,7 @@ impl Setup {
             base,
             body,
             responses: model.kept(),
+            sections: model.kept(),
             reference,
             instrument,
             allowed,
@@ -244,8 +254,8 @@ fn read_radii(t: &Reader, is_drawn: bool) -> [Option<f64>; 2] {
     [outer, inner].map(|diameter| diameter.map(|d| 0.5 * d))
 }
 
-fn read_measurement(model: &Reader, grip: Grip) -> (Reference, Instrument, usize) {
-    let usual = (Reference::LeastSquaresCircle, Instrument::default(), 360);
+fn read_measurement(model: &Reader, grip: Grip, width: f64) -> (Reference, Instrument, usize, f64) {
+    let usual = (Reference::LeastSquaresCircle, Instrument::default(), 360, 0.5 * width);
     let read = |t: &Reader| {
         let about = "what deviations are measured from";
         let reference = t.choice("reference", about, Reference::WORDS).or_first(usual.0);
@@ -255,7 +265,20 @@ fn read_measurement(model: &Reader, grip: Grip) -> (Reference, Instrument, usize
             t.count("points", "evenly spaced angles at which the cut surface is predicted")
                 .between(8, 100_000)
                 .or(usual.2),
+            read_section(t, width),
         )
     };
     model.optional_table("measurement", "how the cut surface is measured", read).unwrap_or(usual)
+}
+
+/// Reads the section in which a ring of some width (m) is measured.
+fn read_section(t: &Reader, width: f64) -> f64 {
+    let about = "section that is predicted, from the ring's face at the chuck; the middle if left out";
+    let at = t.quantity("at", LENGTH, about).not_negative().or(0.5 * width);
+    if at > width {
+        let [at, width] = [at, width].map(|length| LENGTH.format(length));
+        let help = "lengths along the ring are from its face at the chuck";
+        t.problem("at", format!("the section lies at {at}, and the ring is {width} wide"), help);
+    }
+    at
 }

@@ -118,6 +118,7 @@ impl Ports {
         };
         let mut stands = |key: &'static str, about: &'static str, places: &[f64]| -> Option<Vec<usize>> {
             let stand = draft.stand(t, key, about)?;
+            places.iter().for_each(|x| draft.check_place(t, key, &stand, *x));
             places.iter().map(|x| node(draft, key, &stand, *x)).collect()
         };
         let headstock = stands("headstock", "what the headstock stands on, at x = 0", &[0.0]);

@@ -16,6 +16,8 @@ use crate::mesh::{Element, Mesh};
 
 /// Ranges of columns; more balance better, fewer compute fewer elements twice.
 const RANGES: usize = 16;
+/// Most components of a node.
+const MOST_COMPONENTS: usize = 3;
 
 impl Matrix {
     /// Adds up over all elements the matrices that `element` writes into the square it is given (from the
@@ -102,7 +104,7 @@ impl Columns<'_> {
     /// Adds the part of an element's matrix that belongs to these columns; whether its sums are finite.
     fn add<const C: usize>(&mut self, nodes: &[u32], square: &Square<C>) -> bool {
         // (number in the matrix, node of the element, component), ascending
-        let mut places = [(0_u32, 0_u8, 0_u8); 2 * MAX_NODES];
+        let mut places = [(0_u32, 0_u8, 0_u8); MOST_COMPONENTS * MAX_NODES];
         let mut count = 0;
         for (a, &node) in nodes.iter().enumerate() {
             for i in 0..C {

@@ -1,6 +1,6 @@
 //! Numbering of the freedoms: free ones in elimination order, held ones last.
 
-/// The freedoms of a mesh, `components` at each node (2 displacements, or 1 temperature). Freedom
+/// The freedoms of a mesh, `components` at each node (1 temperature, 2 displacements, or 3 of waves around). Freedom
 /// `components · node + component` has the number `number(freedom)` in the matrix.
 #[derive(Clone, Debug)]
 pub struct Freedoms {

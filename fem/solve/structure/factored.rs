@@ -53,9 +53,12 @@ impl Factored {
         let pattern = Pattern::scattered(&stiffness).map_err(memory)?;
         match pattern.factor(&stiffness) {
             Ok(factor) => {
-                let (ratio, motion) = softest(&factor, &own);
-                if ratio < LOOSE {
-                    return Err(loose(&motion));
+                // Where all is held nothing can move.
+                if count > 0 {
+                    let (ratio, motion) = softest(&factor, &own);
+                    if ratio < LOOSE {
+                        return Err(loose(&motion));
+                    }
                 }
                 Ok(Self { structure, unknowns, count, factor })
             }

@@ -9,6 +9,7 @@ mod michell;
 mod rig;
 mod roundness;
 mod thin;
+mod wide;
 
 use crate::validation::Case;
 
@@ -22,6 +23,7 @@ pub fn cases() -> Vec<Case> {
         roundness::cases(),
         inside::cases(),
         membrane::cases(),
+        wide::cases(),
     ]
     .concat()
 }

@@ -42,7 +42,7 @@ mod tests {
     #[test]
     fn jaws_that_press_all_around_leave_the_ring_round() {
         let [even, line] = [120.0, 0.0].map(|arc| squeezed(chuck("jaw-contact-arc", &[arc]).machine()).unwrap());
-        let under = |ring: &Squeeze, angle: f64| ring.at(angle, |part| part);
+        let under = |ring: &Squeeze, angle: f64| ring.at([angle, 0.0], |part| part);
         let wave = |ring: &Squeeze| under(ring, 0.0) - under(ring, 1.0);
         assert!(wave(&even).abs() < 1e-6 * wave(&line).abs());
         // Lamé: −2·p·Ro²·Ri/(E·(Ro² − Ri²)) with 3 N over the whole outside; the mesh is good to 1e-5.

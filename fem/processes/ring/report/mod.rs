@@ -14,7 +14,9 @@ use super::gauged;
 use super::grip::Grip;
 use super::machine::Machine;
 use super::response::MeshSize;
-use super::rows::{ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVABLES, RUN, SPEED, STATE, released};
+use super::rows::{
+    ANGLE_OF_ROW, BLANK, CLAMPED, COORDINATES, JAW_FORCE, OBSERVABLES, RUN, SECTION, SPEED, STATE, released,
+};
 use super::setup::{Reference, Setup};
 use crate::process::{Curve, Datum, Drawing, Failure, Figure, Forward, Plot, RunReport, Spot, Table, extremes, spread};
 use crate::roundness::Contacts;
@@ -25,6 +27,8 @@ const ROUND: f64 = 1e-10;
 /// Harmonics are listed down to this part of the largest, and no more than so many.
 const LISTED: f64 = 1e-3;
 const MOST_LISTED: usize = 8;
+/// Parts of the width between sections that are told.
+const PARTS: usize = 4;
 /// Elements that are stiffer by more than this part are warned of.
 const STIFFENED: f64 = 0.01;
 
@@ -35,7 +39,8 @@ const STIFFENED: f64 = 0.01;
 pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
     let (setup, rows, deviations) = (&machine.setup, forward.programme, forward.prediction);
     let angles = &rows.columns[ANGLE_OF_ROW].to_vec();
-    let scene = shapes::Scene::new(machine, forward)?;
+    // What jaws do on a part of the width is no plane picture.
+    let scene = setup.reach.is_none().then(|| shapes::Scene::new(machine, forward)).transpose()?;
     let form = circle::form(angles, deviations);
     let around = gauged::trace(setup.instrument.filter);
     let trace = absolute(machine, forward, &released(setup, around.clone()))?;
@@ -47,13 +52,17 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         gauges(setup, &trace),
         clamping(machine, forward)?,
         force(machine),
-        stress(setup, &scene),
     ]);
+    figures.extend(scene.iter().map(|scene| stress(setup, scene)));
+    if setup.reach.is_some() {
+        figures.push(sections(machine, forward)?);
+    }
     figures.extend(setup.base.iter().map(structure));
     figures.extend(setup.grasp.iter().map(membrane::figure));
     let mut shown = vec![RUN, ANGLE_OF_ROW, JAW_FORCE];
     shown.extend(setup.spindle_speed.map(|_| SPEED));
     shown.extend((!setup.blank.is_empty()).then_some(BLANK));
+    shown.extend(setup.reach.map(|_| SECTION));
     let points = angles.iter().zip(deviations).map(|(a, d)| (ANGLE.from_si(*a), MICRO.from_si(*d))).collect();
     let title = format!("deviation [um] of the released {} over angle [deg]", setup.cut_name());
     Ok(RunReport {
@@ -63,7 +72,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         drawings: vec![drawing(setup, angles, deviations)],
         warnings: warnings(machine),
         sketch: Some(sketch::sketch(machine)),
-        animation: Some(scene.animation()),
+        animation: scene.map(shapes::Scene::animation),
         ..RunReport::default()
     })
 }
@@ -203,6 +212,28 @@ fn harmonics(angles: &[f64], form: &[f64]) -> Figure {
         .lines(all.is_empty().then(|| "none: it is round".to_string()))
         .lines(listed.into_iter().map(line))
         .entry("list", Datum::List(all.into_iter().map(entry).collect()))
+}
+
+/// Roundness of sections along a ring that is pressed on a part of its width.
+fn sections(machine: &Machine, forward: &Forward) -> Result<Figure, Failure> {
+    let setup = &machine.setup;
+    let around = gauged::trace(setup.instrument.filter);
+    let of = |part: usize| -> Result<(f64, f64), Failure> {
+        let section = setup.width * part as f64 / PARTS as f64;
+        let mut rows = released(setup, around.clone());
+        rows.columns[SECTION].fill(section);
+        let trace = absolute(machine, forward, &rows)?;
+        Ok((section, spread(&gauged::traced(&around, &trace, setup.instrument.filter))))
+    };
+    let all = (0..=PARTS).map(of).collect::<Result<Vec<_>, Failure>>()?;
+    let line =
+        |(section, form): &(f64, f64)| format!("RONt {:.3} at z = {:.1}", MICRO.shown(*form), LENGTH.shown(*section));
+    let entry = |(section, form): &(f64, f64)| {
+        Datum::record([("z", Datum::of(LENGTH, *section)), ("RONt", Datum::of(MICRO, *form))])
+    };
+    Ok(Figure::new("sections", "along the ring")
+        .lines(all.iter().map(line))
+        .entry("list", Datum::List(all.iter().map(entry).collect())))
 }
 
 /// The ring before it is cut, at standstill.
