@@ -259,7 +259,7 @@ fn too_many_points_are_refused_before_memory_is_taken() {
     );
     let answer = place.fem(&["run", "model.toml"]);
     assert_eq!(answer.status, 2);
-    assert!(answer.err.contains("more than 1000000 points"), "{}", answer.err);
+    assert!(answer.err.contains("more than 500000 points"), "{}", answer.err);
 }
 
 #[test]

@@ -65,7 +65,7 @@ fn sizes_that_take_too_much_are_refused_with_a_remedy() {
     place.write("plate.toml", model("ground-plate.toml").replace("height = \"40 mm\"", "height = \"40 m\""));
     refused(&place, &["run", "plate.toml"], "elements; at most 50000 are computed with");
     place.write("batch.toml", model("lathe.toml").replace("parts = 12", "parts = 110000"));
-    refused(&place, &["run", "batch.toml"], "are more than 1000000 points");
+    refused(&place, &["run", "batch.toml"], "are more than 500000 points");
 }
 
 #[test]

@@ -11,7 +11,7 @@ use crate::solve::Bar;
 use crate::units::{LENGTH, TEMPERATURE, TIME};
 
 /// Most rows of a test: more than any test has.
-const MOST_ROWS: usize = 1_000_000;
+const MOST_ROWS: usize = 500_000;
 /// The test where the model does not say.
 const USUAL: Test =
     Test { positions: 11, runs: 5, spacing: Spacing::Even, reading: 20.0, pause: 0.0, reading_at_zero: None };

@@ -2,13 +2,14 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use super::body::Body;
 use super::circle::evenly;
 use super::grip::Grip;
 use super::jaws::Group;
 use super::machine::{BorePoint, Machine};
-use super::response::{BoreSeries, Proportions, Response};
+use super::response::{BoreSeries, Proportions, Response, unsolvable};
 use super::rows::{self, ANGLE_OF_ROW, CLAMPED, JAW_FORCE, ORIENTATION, SECTION, SPEED, STATE};
 use super::setup::Setup;
 use super::tube::{Sections, Shape};
@@ -61,7 +62,7 @@ fn motion(machine: &Machine, Group { jaws, .. }: &Group, is_even: bool) -> Resul
     };
     let step = if is_even { jaws.len() } else { 1 };
     if let Some(reach) = setup.reach {
-        let sections = setup.sections.get_or(shape(setup, reach, mesh.radial, step), Sections::solve)?;
+        let sections = sections(machine, reach)?;
         let (jaws, outer) = (jaws.clone(), setup.outer_radius);
         // Rows come section by section, or have few of them.
         let known: RefCell<HashMap<u64, BoreSeries>> = RefCell::default();
@@ -74,6 +75,20 @@ fn motion(machine: &Machine, Group { jaws, .. }: &Group, is_even: bool) -> Resul
     let ring = Proportions { ratio: setup.inner_radius / setup.outer_radius, poisson_ratio, mesh, step };
     let series = setup.responses.get_or(ring, Response::solve)?.under(jaws);
     Ok(Box::new(move |angle, _| compliance * series.radial(angle)))
+}
+
+/// Compliances of the sections of a ring that jaws press from one place to another along it, m.
+///
+/// # Errors
+/// It cannot be computed.
+pub fn sections(machine: &Machine, reach: [f64; 2]) -> Result<Arc<Sections>, Failure> {
+    let setup = &machine.setup;
+    let Body::Cells(mesh) = setup.body else {
+        return Err(unsolvable("jaws on a part of its width press on no mesh from a file"));
+    };
+    let jaws = machine.jaw_angles.len();
+    let step = if machine.jaw_angles == evenly(jaws) && machine.difference == 0.0 { jaws } else { 1 };
+    setup.sections.get_or(shape(setup, reach, mesh.radial, step), Sections::solve)
 }
 
 /// The ring as one that jaws press on a part of its width.

@@ -167,6 +167,11 @@ impl Response {
 }
 
 impl BoreSeries {
+    /// The series of what goes as sin m(θ − φ) where this one goes as cos m(θ − φ).
+    pub fn beside(self) -> Self {
+        Self { coefficients: self.coefficients.into_iter().map(|(a, b)| (-b, a)).collect(), ..self }
+    }
+
     /// u_r at an angle (rad), positive outwards.
     pub fn radial(&self, angle: f64) -> f64 {
         // cos and sin of multiples by turning the one before.

@@ -11,7 +11,7 @@ use crate::process::{Allowed, Controller};
 use crate::units::{ANGLE, SMALL_ANGLE, TIME, TORQUE};
 
 /// Most rows of a test: more than any test has.
-const MOST_ROWS: usize = 1_000_000;
+const MOST_ROWS: usize = 500_000;
 /// The test where the model does not say: a target each 30 degrees of a turn, both ends included.
 const USUAL: Test = Test {
     positions: 13,

@@ -4,9 +4,13 @@ use std::sync::Arc;
 
 use super::allowed::ALLOWED;
 use super::base::Base;
+use super::rows::counts;
 use crate::input::Reader;
 use crate::process::{Allowed, estimates};
 use crate::units::{FORCE, STIFFNESS};
+
+/// Most readings that are predicted.
+const MOST_POINTS: usize = 500_000;
 
 /// Where the force goes from its largest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,7 +72,15 @@ impl Setup {
         });
         let about = "what the displacement is held against";
         let allowed = model.optional_table("tolerance", about, |t| Allowed::read(t, &ALLOWED)).unwrap_or_default();
-        Self { stiffness, base, unit, max_force, steps, loading, allowed }
+        let own = Self { stiffness, base, unit, max_force, steps, loading, allowed };
+        let (loads, dials) = counts(&own);
+        let steps = if loading == Loading::Reversed { 2 * steps } else { steps };
+        let points = (2 * steps).saturating_mul(loads * dials);
+        if points > MOST_POINTS {
+            let message = format!("{points} readings, up and down at every place, are more than {MOST_POINTS}");
+            model.problem("test", message, "take fewer steps");
+        }
+        own
     }
 
     /// Forces of the programme, rising, N.

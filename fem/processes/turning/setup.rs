@@ -21,7 +21,7 @@ use crate::units::{LENGTH, STIFFNESS};
 
 /// Largest number of predicted points, rows of `profile.csv`, which take some 300 MB; beyond it a slip is more
 /// likely than a wish.
-const MOST_POINTS: usize = 1_000_000;
+const MOST_POINTS: usize = 500_000;
 /// Largest number of beam elements.
 const MOST_ELEMENTS: f64 = 1e6;
 /// Height of the spindle axis above the guideways where a model does not say, m: a lathe that swings 500 mm.

@@ -83,13 +83,14 @@ impl Tube {
         &self.mesh
     }
 
-    /// How every node moves (m, outwards) under a radial load of cos mθ newtons per radian on the band, inwards. Zero for m = 1.
+    /// How every node moves (m; along and outwards as cos mθ, around as sin mθ) under a radial load of cos mθ newtons per radian on
+    /// the band, inwards. Zero for m = 1.
     ///
     /// # Errors
     /// The stiffness cannot be factored, or its solution has no accuracy.
-    pub fn wave(&self, m: usize) -> Result<Vec<f64>, SparseError> {
+    pub fn wave(&self, m: usize) -> Result<Vec<[f64; COMPONENTS]>, SparseError> {
         if m == 1 {
-            return Ok(vec![0.0; self.mesh.nodes().len()]);
+            return Ok(vec![[0.0; COMPONENTS]; self.mesh.nodes().len()]);
         }
         let Parts { freedoms, powers: [still, once, twice], analysis } = &self.parts[m.min(1)];
         let waves = m as f64;
@@ -101,7 +102,8 @@ impl Tube {
         }
         let mut moved = vec![0.0; freedoms.len()];
         solver.solve(&matrix, &freedoms.gather(&forces), &mut moved)?;
-        Ok(freedoms.scatter(&moved).into_iter().skip(OUTWARDS).step_by(COMPONENTS).collect())
+        let moved = freedoms.scatter(&moved);
+        Ok(moved.chunks_exact(COMPONENTS).map(|own| [own[ALONG], own[OUTWARDS], own[AROUND]]).collect())
     }
 }
 
@@ -150,7 +152,7 @@ mod tests {
 
     /// Motion of the bore near x.
     fn bore(tube: &Tube, m: usize, x: f64) -> f64 {
-        tube.wave(m).unwrap()[tube.mesh().nearest_node([x, INNER])]
+        tube.wave(m).unwrap()[tube.mesh().nearest_node([x, INNER])][OUTWARDS]
     }
 
     /// Without a Poisson's ratio sections do not hinder each other: each is a plane ring.
@@ -195,7 +197,7 @@ mod tests {
         let beta = (3.0 * (1.0 - nu * nu) / (a * a * t * t)).powf(0.25);
         // One newton per radian is 1/a per length; the foundation is E·t/a².
         let expected = -(1.0 / a) * beta * a * a / (2.0 * t);
-        let own = tube.wave(0).unwrap()[tube.mesh().nearest_node([0.03, inner])];
+        let own = tube.wave(0).unwrap()[tube.mesh().nearest_node([0.03, inner])][OUTWARDS];
         // Thin to t/a = 1 %, and the load is not quite a line: β·0.4 mm = 0.1.
         assert!((own / expected - 1.0).abs() < 0.03, "{own} {expected}");
     }
@@ -215,8 +217,8 @@ mod tests {
         let [outside, inside] = [(true, near), (false, far)]
             .map(|(is_outside, reach)| Tube::new(mesh(), &law, &Band { is_outside, reach }).unwrap());
         for m in [0, 2, 3, 9] {
-            let work = |moved: &[f64], load: &[(u32, f64)]| -> f64 {
-                load.iter().map(|(node, force)| moved[*node as usize] * force).sum()
+            let work = |moved: &[[f64; COMPONENTS]], load: &[(u32, f64)]| -> f64 {
+                load.iter().map(|(node, force)| moved[*node as usize][OUTWARDS] * force).sum()
             };
             let (one, other) =
                 (work(&outside.wave(m).unwrap(), &inside.load), work(&inside.wave(m).unwrap(), &outside.load));

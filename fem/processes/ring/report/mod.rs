@@ -3,6 +3,7 @@
 mod membrane;
 mod shapes;
 mod sketch;
+mod wide;
 
 use std::f64::consts::TAU;
 
@@ -39,8 +40,7 @@ const STIFFENED: f64 = 0.01;
 pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure> {
     let (setup, rows, deviations) = (&machine.setup, forward.programme, forward.prediction);
     let angles = &rows.columns[ANGLE_OF_ROW].to_vec();
-    // What jaws do on a part of the width is no plane picture.
-    let scene = setup.reach.is_none().then(|| shapes::Scene::new(machine, forward)).transpose()?;
+    let scene = shapes::Scene::new(machine, forward)?;
     let form = circle::form(angles, deviations);
     let around = gauged::trace(setup.instrument.filter);
     let trace = absolute(machine, forward, &released(setup, around.clone()))?;
@@ -53,10 +53,10 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         clamping(machine, forward)?,
         force(machine),
     ]);
-    figures.extend(scene.iter().map(|scene| stress(setup, scene)));
-    if setup.reach.is_some() {
-        figures.push(sections(machine, forward)?);
-    }
+    figures.push(match setup.reach {
+        Some(_) => sections(machine, forward)?,
+        None => stress(setup, &scene),
+    });
     figures.extend(setup.base.iter().map(structure));
     figures.extend(setup.grasp.iter().map(membrane::figure));
     let mut shown = vec![RUN, ANGLE_OF_ROW, JAW_FORCE];
@@ -72,7 +72,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         drawings: vec![drawing(setup, angles, deviations)],
         warnings: warnings(machine),
         sketch: Some(sketch::sketch(machine)),
-        animation: scene.map(shapes::Scene::animation),
+        animation: Some(scene.animation()),
         ..RunReport::default()
     })
 }

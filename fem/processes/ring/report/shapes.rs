@@ -9,8 +9,9 @@ use super::super::grip::Grip;
 use super::super::jaws::Jaw;
 use super::super::machine::Machine;
 use super::super::response::unsolvable;
-use super::super::rows;
+use super::super::rows::{self, SECTION};
 use super::super::setup::Setup;
+use super::wide;
 use crate::element::plane::{Elasticity, PlaneState, STRAINS};
 use crate::mesh::{BORE, Mesh, OUTSIDE};
 use crate::process::{Animation, Arrow, Body as Drawn, Cell, Failure, Field, Forward, Frame, Grid, Role, Skin, View};
@@ -28,23 +29,29 @@ const JAW: f64 = 0.35;
 /// The solved ring, as far as a run shows it.
 pub struct Scene {
     setup: Arc<Setup>,
-    mesh: Arc<Mesh>,
+    /// The nodes of the ring, and its cells.
+    ring: Grid,
     /// Under the jaws at standstill, and while the chuck turns.
     states: [Clamped; 2],
     /// Change of the bore's radius by the cut at each node's angle, m: the deviation of the released ring.
     cut: Vec<f64>,
     /// The surface of the ring.
     skin: Arc<Skin>,
+    /// Nodes of the surface that is cut.
+    on_cut: Vec<u32>,
 }
 
+/// The cells of a ring, its two states, its surface, and the nodes of the surface that is cut.
+pub(super) type Solved = (Grid, [Clamped; 2], Skin, Vec<u32>);
+
 /// The ring under jaws.
-struct Clamped {
+pub(super) struct Clamped {
     /// Their shares are their forces, N.
-    jaws: Vec<Jaw>,
-    /// Displacements, m. (nodes, 2)
-    displacements: Vec<[f64; 2]>,
-    /// (σxx, σyy, σxy) at the nodes, Pa.
-    stresses: Vec<[f64; STRAINS]>,
+    pub jaws: Vec<Jaw>,
+    /// Displacements, m. (nodes, 3)
+    pub displacements: Vec<[f64; 3]>,
+    /// (σxx, σyy, σxy) at the nodes, Pa; zero where they are not known.
+    pub stresses: Vec<[f64; STRAINS]>,
 }
 
 impl Scene {
@@ -53,6 +60,21 @@ impl Scene {
     /// # Errors
     /// The ring cannot be computed.
     pub fn new(machine: &Machine, forward: &Forward) -> Result<Self, Failure> {
+        let (ring, states, skin, on_cut) = match machine.setup.reach {
+            Some(reach) => wide::solved(machine, reach)?,
+            None => Self::plane(machine)?,
+        };
+        let setup = machine.setup.clone();
+        let mut rows = rows::released(&setup, ring.points.iter().map(|[x, y, _]| angle_of([*x, *y])).collect());
+        if setup.reach.is_some() {
+            rows.columns[SECTION] = ring.points.iter().map(|point| point[2] + 0.5 * setup.width).collect();
+        }
+        let cut = forward::absolute(machine, forward, &rows)?;
+        Ok(Self { setup, ring, states, cut, skin: Arc::new(skin), on_cut })
+    }
+
+    /// Solves a ring that is plane.
+    fn plane(machine: &Machine) -> Result<Solved, Failure> {
         let setup = machine.setup.clone();
         let material = &setup.material;
         let (e, nu) = (material.youngs_modulus, material.poisson_ratio);
@@ -67,27 +89,25 @@ impl Scene {
             let mut displacements = system.solve(&loads(&setup, &mesh, &jaws)?).map_err(unsolvable)?.nodes;
             centre(&mesh, &mut displacements);
             let stresses = nodal_stresses(&mesh, &law, &displacements, &[]);
+            let displacements = displacements.into_iter().map(|[u, v]| [u, v, 0.0]).collect();
             Ok(Clamped { jaws, displacements, stresses })
         };
         let standing = clamped(&|part| part * setup.jaw_force)?;
         let turning = clamped(&|part| machine.force_at(part * setup.jaw_force, setup.speed()))?;
-        drop(system);
-        let angles = mesh.nodes().iter().map(|node| angle_of(*node)).collect();
-        let cut = forward::absolute(machine, forward, &rows::released(&setup, angles))?;
         let grid = Grid::of(&mesh);
-        let skin = Arc::new(Skin::thickened(&grid, setup.width));
-        Ok(Self { setup, mesh, states: [standing, turning], cut, skin })
+        let skin = Skin::thickened(&grid, setup.width);
+        let cut = if setup.grip == Grip::Outside { BORE } else { OUTSIDE };
+        Ok((grid, [standing, turning], skin, mesh.nodes_on(cut).unwrap_or_default()))
     }
 
     /// Largest equivalent stress on the bore under the jaws at standstill, Pa, and where, rad. Under a line
     /// load the stress at the jaw itself has no bound.
     pub fn largest_stress(&self) -> (f64, f64) {
-        let cut = if self.setup.grip == Grip::Outside { BORE } else { OUTSIDE };
-        let on_bore = self.mesh.nodes_on(cut).unwrap_or_default();
-        let of = |node: u32| {
-            (equivalent(self.states[0].stresses[node as usize]), angle_of(self.mesh.nodes()[node as usize]))
+        let of = |node: &u32| {
+            let [x, y, _] = self.ring.points[*node as usize];
+            (equivalent(self.states[0].stresses[*node as usize]), angle_of([x, y]))
         };
-        on_bore.into_iter().map(of).fold((0.0, 0.0), |a, b| if b.0 > a.0 * (1.0 + 1e-9) { b } else { a })
+        self.on_cut.iter().map(of).fold((0.0, 0.0), |a, b| if b.0 > a.0 * (1.0 + 1e-9) { b } else { a })
     }
 
     /// Clamped, then bored, then released; time 1, 2 and 3 are when each is done.
@@ -125,16 +145,17 @@ impl Scene {
         let ((felt, bored), setup) = (Self::state(time), &self.setup);
         let [standing, turning] = &self.states;
         let mix = |one: f64, other: f64| felt[0] * one + felt[1] * other;
-        let mut grid = Grid::of(&self.mesh);
-        let mut force = vec![[0.0; 3]; self.mesh.nodes().len()];
+        let mut grid = self.ring.clone();
+        let mut force = vec![[0.0; 3]; grid.points.len()];
         let (mut displacement, mut stress, mut single) = (Vec::new(), Vec::new(), Vec::new());
-        for (node, &[x, y]) in self.mesh.nodes().iter().enumerate() {
+        for (node, &[x, y, _]) in self.ring.points.iter().enumerate() {
             let r = x.hypot(y);
             let depth = ((setup.held_radius() - r) / (setup.held_radius() - setup.cut_radius())).max(0.0);
             let cut = bored * self.cut[node] * depth / r;
-            let [u, v] = [0, 1].map(|axis| mix(standing.displacements[node][axis], turning.displacements[node][axis]));
+            let [u, v, w] =
+                [0, 1, 2].map(|axis| mix(standing.displacements[node][axis], turning.displacements[node][axis]));
             let [xx, yy, xy, across] = [0, 1, 2, 3].map(|k| mix(standing.stresses[node][k], turning.stresses[node][k]));
-            displacement.push([u + cut * x, v + cut * y, 0.0]);
+            displacement.push([u + cut * x, v + cut * y, w]);
             stress.push([xx, yy, 0.0, xy, 0.0, 0.0]);
             single.push(equivalent([xx, yy, xy, across]));
         }
@@ -146,13 +167,15 @@ impl Scene {
             let node = grid.points.len();
             grid.push(Cell::Vertex, &[node as u32]);
             let (at, sign) = ([cosine, sine].map(|c| setup.held_radius() * c), setup.grip.inwards());
-            grid.points.push([at[0], at[1], 0.0]);
+            let behind = setup.reach.map_or(0.0, |[from, to]| 0.5 * (from + to - setup.width));
+            let at = [at[0], at[1], behind];
+            grid.points.push(at);
             force.push([-sign * push * cosine, -sign * push * sine, 0.0]);
             // A jaw goes with the surface that it presses on.
-            let nearest = self.mesh.nearest_node(at);
-            let [u, v] =
-                [0, 1].map(|axis| mix(standing.displacements[nearest][axis], turning.displacements[nearest][axis]));
-            displacement.push([u, v, 0.0]);
+            let nearest = nearest(&self.ring.points, at);
+            displacement.push(
+                [0, 1, 2].map(|axis| mix(standing.displacements[nearest][axis], turning.displacements[nearest][axis])),
+            );
             bodies.push(Drawn::new("jaw", Role::Machine, self.jaw(node, [sign * cosine, sign * sine])));
             arrows.push(Arrow::new(node, JAW * setup.held_radius()));
         }
@@ -166,13 +189,13 @@ impl Scene {
         single.resize(grid.points.len(), 0.0);
         let radial = |([x, y, _], [u, v, _]): (&[f64; 3], &[f64; 3])| (x * u + y * v) / x.hypot(*y);
         let radial = grid.points.iter().zip(&displacement).map(radial).collect();
-        grid.point_fields = vec![
-            Field::vector("displacement", LENGTH, displacement),
-            Field::vector("force", FORCE, force),
-            Field::tensor("stress", STRESS, stress),
-            Field::scalar("equivalent_stress", STRESS, single),
-            Field::scalar("radial_displacement", MICRO, radial),
-        ];
+        grid.point_fields =
+            vec![Field::vector("displacement", LENGTH, displacement), Field::vector("force", FORCE, force)];
+        if setup.reach.is_none() {
+            grid.point_fields.push(Field::tensor("stress", STRESS, stress));
+            grid.point_fields.push(Field::scalar("equivalent_stress", STRESS, single));
+        }
+        grid.point_fields.push(Field::scalar("radial_displacement", MICRO, radial));
         let (squeezed, name) = match setup.grip {
             Grip::Outside => ("squeezed", "bore"),
             Grip::Inside => ("spread", "outside"),
@@ -238,6 +261,12 @@ fn centre(mesh: &Mesh, displacements: &mut [[f64; 2]]) {
     for ([x, y], u) in mesh.nodes().iter().zip(displacements) {
         *u = [u[0] - mean[0] + turn / inertia * y, u[1] - mean[1] - turn / inertia * x];
     }
+}
+
+/// The node that is nearest to a place.
+fn nearest(points: &[[f64; 3]], at: [f64; 3]) -> usize {
+    let far = |point: &[f64; 3]| (0..3).map(|axis| (point[axis] - at[axis]).powi(2)).sum::<f64>();
+    (0..points.len()).min_by(|a, b| far(&points[*a]).total_cmp(&far(&points[*b]))).unwrap_or(0)
 }
 
 /// Polar angle, rad from 0 on.
