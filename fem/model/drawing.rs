@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use toml_edit::{Document, DocumentMut, Item, Table, Value};
 
+use super::entry::{Edit, Entry};
 use super::machine::{LARGEST, MACHINE, STRUCTURE};
-use super::tables::{Edit, Entry};
 use super::way::way;
 use crate::input::{InputError, Problem, Source};
 

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::Model;
-use super::tables::{Edit, Entry, Tables};
+use super::entry::{Edit, Entry};
+use super::tables::Tables;
 use crate::input::{Problem, Raw, seen_from};
 use crate::process::Coordinate;
 

@@ -1,6 +1,6 @@
 //! How the measurement files of a machine are read: the table `[data]`.
 
-use super::tables::Edit;
+use super::entry::Edit;
 use crate::input::{InputError, Raw, Reader, Source};
 use crate::measure::{Decimal, Reading};
 

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use super::allowed::ALLOWED;
 use super::base::Base;
-use super::rows::counts;
 use crate::input::Reader;
 use crate::process::{Allowed, estimates};
 use crate::units::{FORCE, STIFFNESS};
@@ -73,9 +72,9 @@ impl Setup {
         let about = "what the displacement is held against";
         let allowed = model.optional_table("tolerance", about, |t| Allowed::read(t, &ALLOWED)).unwrap_or_default();
         let own = Self { stiffness, base, unit, max_force, steps, loading, allowed };
-        let (loads, dials) = counts(&own);
+        let pairs = own.base.as_ref().map_or(1, |base| base.loads.len() * base.dials.len());
         let steps = if loading == Loading::Reversed { 2 * steps } else { steps };
-        let points = (2 * steps).saturating_mul(loads * dials);
+        let points = (2 * steps).saturating_mul(pairs);
         if points > MOST_POINTS {
             let message = format!("{points} readings, up and down at every place, are more than {MOST_POINTS}");
             model.problem("test", message, "take fewer steps");

@@ -1,5 +1,6 @@
 //! The report of a run: figures, the profile, and shapes for people.
 
+mod clamped;
 mod membrane;
 mod shapes;
 mod sketch;

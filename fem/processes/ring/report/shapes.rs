@@ -11,6 +11,7 @@ use super::super::machine::Machine;
 use super::super::response::unsolvable;
 use super::super::rows::{self, SECTION};
 use super::super::setup::Setup;
+use super::clamped::{Clamped, Solved};
 use super::wide;
 use crate::element::plane::{Elasticity, PlaneState, STRAINS};
 use crate::mesh::{BORE, Mesh, OUTSIDE};
@@ -39,19 +40,6 @@ pub struct Scene {
     skin: Arc<Skin>,
     /// Nodes of the surface that is cut.
     on_cut: Vec<u32>,
-}
-
-/// The cells of a ring, its two states, its surface, and the nodes of the surface that is cut.
-pub(super) type Solved = (Grid, [Clamped; 2], Skin, Vec<u32>);
-
-/// The ring under jaws.
-pub(super) struct Clamped {
-    /// Their shares are their forces, N.
-    pub jaws: Vec<Jaw>,
-    /// Displacements, m. (nodes, 3)
-    pub displacements: Vec<[f64; 3]>,
-    /// (σxx, σyy, σxy) at the nodes, Pa; zero where they are not known.
-    pub stresses: Vec<[f64; STRAINS]>,
 }
 
 impl Scene {

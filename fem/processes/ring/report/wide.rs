@@ -6,7 +6,7 @@ use super::super::forward;
 use super::super::jaws::Jaw;
 use super::super::machine::Machine;
 use super::super::response::BoreSeries;
-use super::shapes::{Clamped, Solved};
+use super::clamped::{Clamped, Solved};
 use crate::element::plane::STRAINS;
 use crate::process::{Cell, Failure, Grid, Skin, SkinPoint};
 
@@ -19,7 +19,7 @@ const MOST_SECTIONS: usize = 31;
 ///
 /// # Errors
 /// The ring cannot be computed.
-pub(super) fn solved(machine: &Machine, reach: [f64; 2]) -> Result<Solved, Failure> {
+pub fn solved(machine: &Machine, reach: [f64; 2]) -> Result<Solved, Failure> {
     let setup = &machine.setup;
     let sections = forward::sections(machine, reach)?;
     let all = sections.places();
