@@ -62,7 +62,7 @@ fn a_model_writes_over_the_drawing_key_by_key() {
     let stiffest = || {
         let answer = place.fem(&["run", "shaft.toml", "-o", "out"]);
         assert_eq!(answer.status, 0, "{}", answer.err);
-        let shares = place.column("out/structure.csv", "tailstock-tilt [um/N]");
+        let shares = place.column("out/structure.csv", "tailstock-tilt [um/kN]");
         shares.into_iter().fold(0.0, f64::max)
     };
     let before = stiffest();

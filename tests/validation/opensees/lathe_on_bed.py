@@ -3,8 +3,8 @@
 Shares nothing with fem. `pip install openseespy` (3.7.1), then `python lathe_on_bed.py` prints the diameter errors and
 readings of dials in um that `fem validate` holds its own against, and `python lathe_on_bed.py tailstock-tilt 0.4` a
 measurement of the pushed lathe whose joint of that name has that part of its stiffness, with noise of 0.3 um; with a third
-word `shaft` one of the shaft that it turns, with noise of 1.5 um. With the word `compliances` it prints the file of
-models/measured-lathe.toml.
+word `again` another one (models/slant-bed/pushed.csv), and with `shaft` one of the shaft that it turns, with noise of 1.5 um. With the
+word `compliances` it prints the file of models/measured-lathe.toml.
 """
 
 import math
@@ -208,7 +208,8 @@ if __name__ == "__main__":
         print("\n".join(compliances()))
     elif len(sys.argv) in (3, 4):
         joint, part = sys.argv[1], float(sys.argv[2])
-        test = turned if sys.argv[3:] == ["shaft"] else measured
-        print("\n".join(test({**JOINTS, joint: part * JOINTS[joint]})))
+        softened = {**JOINTS, joint: part * JOINTS[joint]}
+        tests = {(): measured(softened), ("again",): measured(softened, seed=6), ("shaft",): turned(softened)}
+        print("\n".join(tests[tuple(sys.argv[3:])]))
     else:
         print("\n".join(table()))
