@@ -71,7 +71,7 @@ fn a_model_writes_over_the_drawing_key_by_key() {
     // Softer by half, and little else changes: it gives way twice as much under the same force.
     assert!((stiffest() / before - 2.0).abs() < 0.01, "{} {before}", stiffest());
     place.write("shaft.toml", format!("{own}\n[structure.tailstock-tilt]\nstifness = \"750 kN*m/rad\"\n"));
-    place.is_refused(&["run", "shaft.toml"], "a key of its own", ("shaft.toml:35:1", "its keys are between"));
+    place.is_refused(&["run", "shaft.toml"], "a key of its own", ("shaft.toml:36:1", "its keys are between"));
 }
 
 /// What is fitted stands in the model that is written, for the machine's file is not the program's.
