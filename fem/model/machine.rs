@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{Document, Item};
 
-use crate::input::{NamedFile, Problem, Reader, Source};
+use crate::input::{Cache, NamedFile, Problem, Reader, Source};
 
 /// Largest machine file, bytes; people write machines by hand.
 pub(super) const LARGEST: u64 = 1_000_000;
@@ -37,11 +37,13 @@ impl Machine {
 /// Reads the machine that a model names, and holds the `unit` that it tests against it.
 pub fn read(model: &Reader, unit: Option<&str>) -> Option<Machine> {
     let file = model.file(MACHINE, "the file of the machine, which other models name too", LARGEST)?;
-    let machine = parse(&file).map_err(|problem| {
+    // A search reads the model again and again, and the machine stays.
+    let known = model.kept::<Cache<NamedFile, Machine, 2>>();
+    let machine = known.get_or(file.clone(), parse).map_err(|problem| {
         let message = format!("{}: {}", file.path.display(), problem.message);
         model.problem(MACHINE, message, problem.help.unwrap_or_default());
     });
-    let machine = machine.ok()?;
+    let machine = machine.ok()?.as_ref().clone();
     if let Some(unit) = unit.filter(|unit| machine.units.iter().all(|own| own != unit)) {
         let file = machine.path.display();
         let help =
