@@ -163,11 +163,13 @@ mod tests {
         let (inner_radius, outer_radius) = (INNER, OUTER);
         let ring =
             WaveRing { outer_radius, inner_radius, circumferential: 720, radial: 6, element: &Quad8, law }.cell();
-        let tube = tube(width, [0.0, width], 0.0, 0.0013);
+        let size = 0.0013;
+        let tube = tube(width, [0.0, width], 0.0, size);
         for m in [0, 2, 3, 6, 15] {
             let (own, plane) = (bore(&tube, m, 0.01), ring.compliance(m).unwrap());
-            // Both meshes are good to a part in ten thousand.
-            assert!((own / plane - 1.0).abs() < 1e-4, "{m}: {own} {plane}");
+            // Of elements of second order the energy is good to the fourth power of half an element beside a wave.
+            let allowed = 1e-5 + (0.5 * size * m as f64 / INNER).powi(4);
+            assert!((own / plane - 1.0).abs() < allowed, "{m}: {own} {plane}");
         }
     }
 
