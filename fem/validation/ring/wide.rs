@@ -26,7 +26,7 @@ pub fn cases() -> Vec<Case> {
         let at = |(place, expected): (&f64, &f64)| {
             let computed = deviations(&chuck, &[angle], &[(STATE, 1.0), (SECTION, 1e-3 * place)])[0];
             row(
-                format!("wide ring in short jaws, {degrees} deg from a jaw, {place} mm from the chuck"),
+                format!("wide ring in short jaws, {degrees} deg from a jaw, {place} mm along it"),
                 "radial displacement",
                 (*expected, 1e6 * computed, "um"),
                 // From 24 by 4 by 20 bricks to these the largest changes by 4.3e-3 um: by a third of that from these on, at the rate
