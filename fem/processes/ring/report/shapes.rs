@@ -11,7 +11,7 @@ use super::super::machine::Machine;
 use super::super::response::unsolvable;
 use super::super::rows::{self, SECTION};
 use super::super::setup::Setup;
-use super::clamped::{Clamped, Solved};
+use super::clamped::{Clamped, Solved, states};
 use super::wide;
 use crate::element::plane::{Elasticity, PlaneState, STRAINS};
 use crate::mesh::{BORE, Mesh, OUTSIDE};
@@ -72,20 +72,18 @@ impl Scene {
             Body::Cells(size) => Arc::new(size.mesh(setup.outer_radius, setup.inner_radius)?),
         };
         let system = ElasticSystem::free(&*mesh, law).map_err(unsolvable)?;
-        let clamped = |force_of: &dyn Fn(f64) -> f64| -> Result<Clamped, Failure> {
-            let jaws = machine.pressing(force_of)?;
+        let clamped = |jaws: Vec<Jaw>| -> Result<Clamped, Failure> {
             let mut displacements = system.solve(&loads(&setup, &mesh, &jaws)?).map_err(unsolvable)?.nodes;
             centre(&mesh, &mut displacements);
             let stresses = nodal_stresses(&mesh, &law, &displacements, &[]);
             let displacements = displacements.into_iter().map(|[u, v]| [u, v, 0.0]).collect();
             Ok(Clamped { jaws, displacements, stresses })
         };
-        let standing = clamped(&|part| part * setup.jaw_force)?;
-        let turning = clamped(&|part| machine.force_at(part * setup.jaw_force, setup.speed()))?;
+        let states = states(machine, clamped)?;
         let grid = Grid::of(&mesh);
         let skin = Skin::thickened(&grid, setup.width);
         let cut = if setup.grip == Grip::Outside { BORE } else { OUTSIDE };
-        Ok((grid, [standing, turning], skin, mesh.nodes_on(cut).unwrap_or_default()))
+        Ok((grid, states, skin, mesh.nodes_on(cut).unwrap_or_default()))
     }
 
     /// Largest equivalent stress on the bore under the jaws at standstill, Pa, and where, rad. Under a line

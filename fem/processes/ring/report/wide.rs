@@ -6,7 +6,7 @@ use super::super::forward;
 use super::super::jaws::Jaw;
 use super::super::machine::Machine;
 use super::super::response::BoreSeries;
-use super::clamped::{Clamped, Solved};
+use super::clamped::{Clamped, Solved, states};
 use crate::element::plane::STRAINS;
 use crate::process::{Cell, Failure, Grid, Skin, SkinPoint};
 
@@ -63,8 +63,7 @@ pub fn solved(machine: &Machine, reach: [f64; 2]) -> Result<Solved, Failure> {
     let points = (0..grid.points.len() as u32).map(|node| SkinPoint { node: Some(node), offset: [0.0; 3] }).collect();
     let skin = Skin { points, triangles: Vec::new(), quads };
     let compliance = setup.grip.inwards() / (setup.material.youngs_modulus * setup.width);
-    let clamped = |force_of: &dyn Fn(f64) -> f64| -> Result<Clamped, Failure> {
-        let jaws: Vec<Jaw> = machine.pressing(force_of)?;
+    let clamped = |jaws: Vec<Jaw>| -> Result<Clamped, Failure> {
         let mut displacements = Vec::with_capacity(grid.points.len());
         for is_cut in [true, false] {
             for section in &chosen {
@@ -80,9 +79,8 @@ pub fn solved(machine: &Machine, reach: [f64; 2]) -> Result<Solved, Failure> {
         let stresses = vec![[0.0; STRAINS]; displacements.len()];
         Ok(Clamped { jaws, displacements, stresses })
     };
-    let standing = clamped(&|part| part * setup.jaw_force)?;
-    let turning = clamped(&|part| machine.force_at(part * setup.jaw_force, setup.speed()))?;
-    Ok((grid, [standing, turning], skin, Vec::new()))
+    let states = states(machine, clamped)?;
+    Ok((grid, states, skin, Vec::new()))
 }
 
 /// Angle of a place around, rad.
