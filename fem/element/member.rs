@@ -51,6 +51,17 @@ impl Member {
 
     /// Exact stiffness K (6 × 6, symmetric), N/m, N, N m.
     pub fn stiffness(&self) -> EndStiffness {
+        let (local, turn) = (self.along_and_across(), self.turn());
+        let mut turned = EndStiffness::zeros();
+        for (row, column) in [(0, 0), (0, 3), (3, 0), (3, 3)] {
+            let block = turn.transpose() * local.fixed_view::<3, 3>(row, column) * turn;
+            turned.fixed_view_mut::<3, 3>(row, column).copy_from(&block);
+        }
+        turned
+    }
+
+    /// The same between freedoms along and across the member.
+    fn along_and_across(&self) -> EndStiffness {
         let (bar, beam) = (self.bar().stiffness(), self.beam().stiffness());
         let mut local = EndStiffness::zeros();
         // (u1, w1, θ1, u2, w2, θ2) along and across.
@@ -61,25 +72,26 @@ impl Member {
         for (i, row) in across.into_iter().enumerate() {
             across.into_iter().enumerate().for_each(|(j, column)| local[(row, column)] = beam[(i, j)]);
         }
-        let turned = self.turned();
-        turned.transpose() * local * turned
+        local
     }
 
     /// The place at a part of the length from the first end, exact: statics of the two pieces on either side, as long as
     /// neither is without length.
     pub fn inside(&self, part: f64) -> Inside {
+        let mut follows = SMatrix::<f64, 3, 6>::zeros();
         if part <= 0.0 || part >= 1.0 {
-            let mut follows = SMatrix::<f64, 3, 6>::zeros();
             (0..3).for_each(|i| follows[(i, i + if part <= 0.0 { 0 } else { 3 })] = 1.0);
             return Inside { follows, yields: Matrix3::zeros() };
         }
-        let (before, after) = (self.piece(part).stiffness(), self.piece(1.0 - part).stiffness());
+        let [before, after] = [part, 1.0 - part].map(|part| self.piece(part).along_and_across());
         let own = before.fixed_view::<3, 3>(3, 3) + after.fixed_view::<3, 3>(0, 0);
+        let turn = self.turn();
         let yields = own.try_inverse().unwrap_or_else(Matrix3::zeros);
-        let mut held = SMatrix::<f64, 3, 6>::zeros();
-        held.fixed_view_mut::<3, 3>(0, 0).copy_from(&before.fixed_view::<3, 3>(3, 0));
-        held.fixed_view_mut::<3, 3>(0, 3).copy_from(&after.fixed_view::<3, 3>(0, 3));
-        Inside { follows: -yields * held, yields }
+        for (column, held) in [(0, before.fixed_view::<3, 3>(3, 0)), (3, after.fixed_view::<3, 3>(0, 3))] {
+            let block = -(turn.transpose() * yields * held * turn);
+            follows.fixed_view_mut::<3, 3>(0, column).copy_from(&block);
+        }
+        Inside { follows, yields: turn.transpose() * yields * turn }
     }
 
     fn bar(&self) -> BarPiece {
@@ -91,17 +103,10 @@ impl Member {
         BeamPiece { length: self.length(), flexural_rigidity, shear_rigidity }
     }
 
-    /// From freedoms along x and y to freedoms along and across the member.
-    fn turned(&self) -> EndStiffness {
+    /// From the freedoms of an end along x and y to those along and across the member.
+    fn turn(&self) -> Matrix3<f64> {
         let [c, s] = self.span.map(|own| own / self.length());
-        let mut turned = EndStiffness::identity();
-        for end in [0, 3] {
-            turned[(end, end)] = c;
-            turned[(end, end + 1)] = s;
-            turned[(end + 1, end)] = -s;
-            turned[(end + 1, end + 1)] = c;
-        }
-        turned
+        Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0)
     }
 }
 

@@ -3,19 +3,46 @@
 
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Everything that one model keeps, by its type. Clones share it.
+/// Everything that one model keeps. Clones share it.
 #[derive(Clone, Debug, Default)]
-pub struct Kept(Arc<Mutex<HashMap<TypeId, Arc<dyn Any + Send + Sync>>>>);
+pub struct Kept {
+    /// By its type; edited models share it.
+    results: Arc<Mutex<HashMap<TypeId, Entry>>>,
+    /// What tables were read as, by their paths.
+    tables: Arc<Mutex<HashMap<String, Entry>>>,
+}
+
+type Entry = Arc<dyn Any + Send + Sync>;
+
+/// A panic while a map was held leaves it whole: entries are added in one step each.
+fn lock<K>(map: &Mutex<HashMap<K, Entry>>) -> MutexGuard<'_, HashMap<K, Entry>> {
+    map.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 impl Kept {
     /// The entry of this type, empty at first.
     pub fn get<T: Any + Default + Send + Sync>(&self) -> Arc<T> {
-        // A panic while it was held leaves it whole: entries are added in one step each.
-        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut all = lock(&self.results);
         let entry = all.entry(TypeId::of::<T>()).or_insert_with(|| Arc::new(T::default()));
         entry.clone().downcast().unwrap_or_default()
+    }
+
+    /// The same for a model with other tables: what was read of those is forgotten.
+    #[must_use]
+    pub fn with_other_tables(&self) -> Self {
+        Self { results: self.results.clone(), tables: Arc::default() }
+    }
+
+    /// What the table of this path was read as.
+    pub(super) fn table<T: Any + Send + Sync>(&self, path: &str) -> Option<Arc<T>> {
+        lock(&self.tables).get(path)?.clone().downcast().ok()
+    }
+
+    /// Keeps what the table of this path was read as.
+    pub(super) fn keep_table<T: Any + Send + Sync>(&self, path: &str, read: T) {
+        lock(&self.tables).insert(path.to_string(), Arc::new(read));
     }
 }
 

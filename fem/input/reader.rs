@@ -12,7 +12,7 @@ pub use tables::{Names, is_one_of, numbered};
 
 use std::any::Any;
 use std::cell::{Cell, RefCell};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -62,6 +62,12 @@ impl Instead {
     /// Whether every value is that of the file.
     pub fn is_nothing(&self) -> bool {
         self.tried.is_empty() && self.entered.is_empty()
+    }
+
+    /// Whether one of the values is that of the table of this path, or of a table or list in it.
+    fn is_within(&self, path: &str) -> bool {
+        let is_of = |own: &ParameterId| own.strip_prefix(path).is_some_and(|rest| rest.starts_with(['.', '[']));
+        self.tried.keys().chain(self.entered.keys()).any(is_of)
     }
 }
 
@@ -333,6 +339,29 @@ impl<'a> Reader<'a> {
         self.findings.kept.get()
     }
 
+    /// What `read` makes of this table, which is what it made before where no value of the table is on trial. It must depend
+    /// on nothing else that may be.
+    pub fn once<T: Clone + Any + Send + Sync>(&self, read: impl FnOnce(&Self) -> T) -> T {
+        let kept = &self.findings.kept;
+        if self.is_as_written() {
+            let value = read(self);
+            kept.keep_table(&self.path, value.clone());
+            return value;
+        }
+        match kept.table::<T>(&self.path).filter(|_| !self.findings.instead.is_within(&self.path)) {
+            Some(known) => {
+                self.accept_any();
+                (*known).clone()
+            }
+            None => read(self),
+        }
+    }
+
+    /// Whether a value of a table of this one is on trial.
+    pub fn is_on_trial(&self, key: &str) -> bool {
+        self.findings.instead.is_within(&self.path_of(key))
+    }
+
     pub(super) fn folder(&self) -> &Path {
         &self.findings.folder
     }
@@ -402,7 +431,8 @@ impl<'a> Reader<'a> {
     /// The keys of this table that nobody has asked for, in the order of the file: names of the user's choice.
     pub(super) fn further(&self) -> Vec<Name> {
         let asked = self.asked.borrow();
-        self.keys().into_iter().filter(|key| asked.iter().all(|name| name.as_str() != key)).map(Name::from).collect()
+        let asked: HashSet<&str> = asked.iter().map(Name::as_str).collect();
+        self.keys().into_iter().filter(|key| !asked.contains(key.as_str())).map(Name::from).collect()
     }
 
     /// Refuses the keys that nobody asked for, and tells of those that are not there; a misspelt key is told
@@ -411,8 +441,9 @@ impl<'a> Reader<'a> {
         let Ground::Given(table, _) = &self.ground else { return };
         let mut absent = self.absent.take();
         let asked = self.asked.borrow();
+        let known: HashSet<&str> = asked.iter().map(Name::as_str).collect();
         for (key, item) in table.iter() {
-            if asked.iter().any(|name| *name == key) || self.is_open.get() {
+            if known.contains(key) || self.is_open.get() {
                 continue;
             }
             if item.is_table_like() && self.findings.parted.borrow().contains(&self.path) {

@@ -186,6 +186,7 @@ impl Model {
     /// Reads a model from its tables, with what was kept from readings before.
     fn of_tables(source: Source, tables: Tables, kept: Kept, recorded: &[Coordinate]) -> Result<Self, Vec<Problem>> {
         let process = find_process(tables.now()).map_err(|problem| vec![problem])?;
+        let kept = kept.with_other_tables();
         let (
             (
                 process,

@@ -1,10 +1,12 @@
 //! A structure in the making: as it is drawn, with nodes put in where something stands within a member.
 
-use crate::input::{Name, Reader};
+use std::collections::HashMap;
+
+use crate::input::{Cache, Name, Reader};
 use crate::joint::Seat;
 use crate::process::Failure;
 use crate::solve::JointsError;
-use crate::solve::structure::{Direction, Factored, Freedom, Structure, StructureError};
+use crate::solve::structure::{Direction, Factored, Freedom, Plan, Structure, StructureError, Topology};
 use crate::units::{FORCE, LENGTH};
 
 /// What something stands on.
@@ -145,18 +147,13 @@ impl Draft {
         self.nodes[..self.drawn].iter().position(|own| own.as_str() == name)
     }
 
-    /// Whether there is a member of this name.
-    pub fn has_member(&self, name: &str) -> bool {
-        self.members.iter().any(|own| own.as_str() == name)
-    }
-
     /// The pieces of some members, by their numbers in the structure.
     pub fn pieces(&self, members: &[Name]) -> Vec<usize> {
-        let of = |name: &Name| {
-            let pieces = self.members.iter().enumerate().filter(move |(_, own)| *own == name);
-            pieces.map(|(number, _)| number).collect::<Vec<_>>()
-        };
-        members.iter().flat_map(of).collect()
+        let mut of: HashMap<&str, Vec<usize>> = HashMap::new();
+        for (number, own) in self.members.iter().enumerate() {
+            of.entry(own.as_str()).or_default().push(number);
+        }
+        members.iter().filter_map(|name| of.get(name.as_str())).flatten().copied().collect()
     }
 
     /// The stretches of x that some members reach along, m, with rising x.
@@ -222,7 +219,9 @@ impl Draft {
     pub(super) fn factored(self, t: &Reader) -> Option<Drawn> {
         let Self { structure, nodes, members, sizes, joints, seats, .. } = self;
         let places = structure.nodes.clone();
-        match structure.factored() {
+        let known = t.kept::<Cache<Topology, Plan, 2>>();
+        let plan = known.get_or(structure.topology(), Plan::of);
+        match plan.and_then(|plan| Factored::new(structure, plan)) {
             Ok(factored) => Some(Drawn { nodes, factored, members, sizes, joints, seats }),
             Err(StructureError::Loose { at, nodes: together }) => {
                 let node = &nodes[at.node];

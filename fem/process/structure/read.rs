@@ -1,5 +1,7 @@
 //! Reads a structure: nodes, members, joints, supports, and what stands on them.
 
+use std::collections::HashSet;
+
 use super::draft::{Draft, Drawn, DrawnSeat, Port, Stand};
 use crate::element::{Member, Rectangle, Round, Tube};
 use crate::input::{Bounds, Name, Reader, did_you_mean};
@@ -31,6 +33,7 @@ const PRESSED: &[(&str, (Direction, f64))] = &[
 const PORTS: &str = "ports";
 
 /// A part of a structure as its table says it.
+#[derive(Clone)]
 enum Part {
     /// Its ends, the member, its width and height.
     Member([usize; 2], Member, [f64; 2]),
@@ -62,7 +65,7 @@ impl Draft {
     fn read_own<T>(t: &Reader, ports: impl FnOnce(&Reader, &mut Self) -> Option<T>) -> Option<(Drawn, T)> {
         let mut draft = Self::default();
         let about = "places of the nodes: x along the axis from the headstock, y the way in which the work gives way";
-        let nodes = t.table("nodes", about, |t| t.named_pairs(LENGTH, "x and y of the node"));
+        let nodes = t.table("nodes", about, |t| t.once(|t| t.named_pairs(LENGTH, "x and y of the node")));
         (draft.nodes, draft.structure.nodes) = nodes.into_iter().unzip();
         draft.drawn = draft.nodes.len();
         // Who has no members, or says it of each, need not say it of all.
@@ -70,7 +73,11 @@ impl Draft {
         t.may_be_left_out("material");
         draft.structure.held = draft.read_supports(t);
         let about = "a member (`between`, `section`) or a joint (`at` or `between`, `along`, `stiffness`)";
-        let drawn = t.own_tables(&[PORTS], about, |_, t| draft.read_part(t, material.as_ref()));
+        let is_other = t.is_on_trial("nodes") || t.is_on_trial("material");
+        let drawn = t.own_tables(&[PORTS], about, |_, t| match is_other {
+            true => draft.read_part(t, material.as_ref()),
+            false => t.once(|t| draft.read_part(t, material.as_ref())),
+        });
         if drawn.len() > MOST {
             t.problem("", format!("{} members and joints are more than {MOST}", drawn.len()), "draw fewer");
         }
@@ -260,9 +267,10 @@ impl Draft {
         {
             return Some(Stand::Node(node));
         }
-        let known: Vec<&str> = self.nodes.iter().chain(&self.members).map(Name::as_str).collect();
+        let drawn: HashSet<&str> = self.members.iter().map(Name::as_str).collect();
         for name in &names {
-            if !self.has_member(name) {
+            if !drawn.contains(name.as_str()) {
+                let known: Vec<&str> = self.nodes.iter().chain(&self.members).map(Name::as_str).collect();
                 let meant = did_you_mean(name, known.iter().copied(), '`');
                 let message = format!("`{name}` is neither a node nor a member");
                 t.problem(key, message, format!("{meant}known are {}", known.join(", ")));

@@ -1,11 +1,13 @@
 //! A structure whose stiffness is factored.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, SMatrix};
-use nalgebra_sparse::{CooMatrix, CscMatrix};
 
 use super::error::StructureError;
+use super::plan::Plan;
 use super::{Direction, Freedom, Structure, freedoms};
-use crate::solve::cholesky::{Factor, FactorError, Pattern, diagonal};
+use crate::solve::cholesky::{Factor, FactorError, diagonal};
 use crate::solve::selected::Selected;
 
 /// Ratio of the softest motion's stiffness to that of its single freedoms below which nothing holds it: members a
@@ -15,33 +17,28 @@ const LOOSE: f64 = 1e-13;
 const HELP: f64 = 1e-10;
 /// Rounds in which the softest motion is found.
 const ROUNDS: usize = 4;
+/// Ratio above which it is beyond doubt that something holds it: a motion that nothing holds grows by the inverse of its
+/// ratio in the first round, and some of every motion is in what that begins with.
+const HELD: f64 = 1e-7;
 
 /// A structure whose stiffness is factored.
 pub struct Factored {
     pub(super) structure: Structure,
-    /// Unknown of each freedom that is not held.
-    unknowns: Vec<Option<usize>>,
-    count: usize,
+    plan: Arc<Plan>,
     factor: Factor,
 }
 
 impl Factored {
-    pub(super) fn new(structure: Structure) -> Result<Self, StructureError> {
-        let mut held = vec![false; 3 * structure.nodes.len()];
-        structure.held.iter().for_each(|own| held[own.number()] = true);
-        let mut count = 0;
-        let unknowns: Vec<Option<usize>> = held
-            .into_iter()
-            .map(|held| {
-                let own = (!held).then_some(count);
-                count += usize::from(!held);
-                own
-            })
-            .collect();
-        let stiffness = assembled(&structure, &unknowns, count);
+    /// Assembles and factors a structure by the plan of its topology.
+    ///
+    /// # Errors
+    /// Something can move without resistance, or memory does not suffice.
+    pub fn new(structure: Structure, plan: Arc<Plan>) -> Result<Self, StructureError> {
+        let count = plan.count();
+        let stiffness = plan.assembled(&structure);
         let own: Vec<f64> = (0..count).map(|i| stiffness.values()[diagonal(&stiffness, i)]).collect();
         let loose = |motion: &[f64]| {
-            let (at, nodes) = most(&structure, &unknowns, motion);
+            let (at, nodes) = most(&structure, &plan.unknowns, motion);
             StructureError::Loose { at, nodes }
         };
         if let Some(nothing) = own.iter().position(|own| *own <= 0.0) {
@@ -49,9 +46,7 @@ impl Factored {
             motion[nothing] = 1.0;
             return Err(loose(&motion));
         }
-        let memory = |_| StructureError::OutOfMemory { unknowns: count };
-        let pattern = Pattern::scattered(&stiffness).map_err(memory)?;
-        match pattern.factor(&stiffness) {
+        match plan.order.factor(&stiffness) {
             Ok(factor) => {
                 // Where all is held nothing can move.
                 if count > 0 {
@@ -60,7 +55,7 @@ impl Factored {
                         return Err(loose(&motion));
                     }
                 }
-                Ok(Self { structure, unknowns, count, factor })
+                Ok(Self { structure, plan, factor })
             }
             Err(FactorError::OutOfMemory) => Err(StructureError::OutOfMemory { unknowns: count }),
             Err(FactorError::Pivot(_)) => {
@@ -69,7 +64,8 @@ impl Factored {
                     let at = diagonal(&helped, i);
                     helped.values_mut()[at] += HELP * own;
                 }
-                let factor = pattern.factor(&helped).map_err(memory)?;
+                let memory = |_| StructureError::OutOfMemory { unknowns: count };
+                let factor = plan.order.factor(&helped).map_err(memory)?;
                 Err(loose(&softest(&factor, &own).1))
             }
         }
@@ -82,9 +78,9 @@ impl Factored {
 
     /// Displacements of all freedoms under loads (N, N m) on some: u, v, θ of node i at 3i, 3i + 1, 3i + 2.
     pub fn under(&self, loads: &[(Freedom, f64)]) -> Vec<f64> {
-        let mut right = vec![0.0; self.count];
+        let mut right = vec![0.0; self.plan.count()];
         for (at, load) in loads {
-            if let Some(unknown) = self.unknowns[at.number()] {
+            if let Some(unknown) = self.plan.unknowns[at.number()] {
                 right[unknown] += load;
             }
         }
@@ -92,7 +88,7 @@ impl Factored {
         if self.factor.solve_in_place(&mut right).is_err() {
             right.fill(f64::NAN);
         }
-        self.unknowns.iter().map(|own| own.map_or(0.0, |unknown| right[unknown])).collect()
+        self.plan.unknowns.iter().map(|own| own.map_or(0.0, |unknown| right[unknown])).collect()
     }
 
     /// Displacements of all freedoms under a unit load on each of some.
@@ -104,7 +100,7 @@ impl Factored {
     pub fn of_ends(&self, members: &[usize]) -> Vec<SMatrix<f64, 6, 6>> {
         let selected = Selected::of(&self.factor);
         let of = |member: &usize| {
-            let own = freedoms(self.structure.members[*member].0).map(|own| self.unknowns[own.number()]);
+            let own = freedoms(self.structure.members[*member].0).map(|own| self.plan.unknowns[own.number()]);
             SMatrix::from_fn(|i, j| match (own[i], own[j]) {
                 // The ends of a member are joined by its stiffness, so that their entries are in the pattern.
                 (Some(i), Some(j)) => selected.as_ref().and_then(|own| own.at(i, j)).unwrap_or(f64::NAN),
@@ -121,38 +117,6 @@ impl Factored {
     }
 }
 
-/// The upper triangle of the stiffness over the unknowns.
-fn assembled(structure: &Structure, unknowns: &[Option<usize>], count: usize) -> CscMatrix<f64> {
-    let mut matrix = CooMatrix::new(count, count);
-    let mut add = |a: usize, b: usize, value: f64| {
-        if let (Some(row), Some(column)) = (unknowns[a], unknowns[b])
-            && row <= column
-        {
-            matrix.push(row, column, value);
-        }
-    };
-    // Every diagonal entry is there, also of what nothing holds.
-    (0..unknowns.len()).for_each(|own| add(own, own, 0.0));
-    for (ends, member) in &structure.members {
-        let stiffness = member.stiffness();
-        let number = |k: usize| 3 * ends[k / 3] + k % 3;
-        for row in 0..6 {
-            (0..6).for_each(|column| add(number(row), number(column), stiffness[(row, column)]));
-        }
-    }
-    for spring in &structure.springs {
-        let (own, k) = (spring.at.number(), spring.stiffness);
-        add(own, own, k);
-        if let Some(node) = spring.from {
-            let other = Freedom { node, ..spring.at }.number();
-            add(other, other, k);
-            add(own, other, -k);
-            add(other, own, -k);
-        }
-    }
-    CscMatrix::from(&matrix)
-}
-
 /// The softest motion by inverse iteration with every freedom in units of its own stiffness: its stiffness in those units, and
 /// the motion.
 fn softest(factor: &Factor, diagonal: &[f64]) -> (f64, Vec<f64>) {
@@ -167,6 +131,9 @@ fn softest(factor: &Factor, diagonal: &[f64]) -> (f64, Vec<f64>) {
         }
         motion.iter_mut().zip(diagonal).for_each(|(own, d)| *own *= d.sqrt());
         ratio = 1.0 / motion.iter().map(|own| own * own).sum::<f64>().sqrt();
+        if ratio > HELD {
+            break;
+        }
     }
     motion.iter_mut().zip(diagonal).for_each(|(own, d)| *own /= d.sqrt());
     (ratio, motion)

@@ -8,11 +8,13 @@ mod along;
 mod displaced;
 mod error;
 mod factored;
+mod plan;
 
 pub use along::{Along, Chain, Seen};
 pub use displaced::{Displaced, Load};
 pub use error::StructureError;
 pub use factored::Factored;
+pub use plan::{Plan, Topology};
 
 use crate::element::Member;
 
@@ -74,12 +76,23 @@ pub struct Structure {
 }
 
 impl Structure {
+    /// What is joined to what in it.
+    pub fn topology(&self) -> Topology {
+        Topology {
+            nodes: self.nodes.len(),
+            members: self.members.iter().map(|(ends, _)| *ends).collect(),
+            springs: self.springs.iter().map(|spring| (spring.at, spring.from)).collect(),
+            held: self.held.clone(),
+        }
+    }
+
     /// Assembles and factors.
     ///
     /// # Errors
     /// Something can move without resistance, or memory does not suffice.
     pub fn factored(self) -> Result<Factored, StructureError> {
-        Factored::new(self)
+        let plan = Plan::of(&self.topology())?;
+        Factored::new(self, plan.into())
     }
 }
 
