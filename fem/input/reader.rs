@@ -259,6 +259,19 @@ impl<'a> Reader<'a> {
         self.refuse(Problem::new(message).help(help).at(span));
     }
 
+    /// Notes a problem with a key of a table of this one, or with that table, or with the key of it.
+    pub fn problem_in(&self, table: &str, key: &str, message: impl Into<String>, help: impl Into<String>) {
+        let Ground::Given(own, _) = &self.ground else { return };
+        let Some(item) = own.get(table) else { return self.problem(table, message, help) };
+        let within = item.as_table_like().and_then(|table| table.get(key)).and_then(Item::span);
+        self.problem_at(within.or_else(|| item.span()), message, help);
+    }
+
+    /// Notes a problem with these bytes of the file.
+    pub fn problem_at(&self, span: Option<Range<usize>>, message: impl Into<String>, help: impl Into<String>) {
+        self.refuse(Problem::new(message).help(help).at(span));
+    }
+
     /// Takes every key of the table for known: what it should hold cannot be told, for what it depends on is
     /// wrong.
     pub fn accept_any(&self) {

@@ -57,7 +57,9 @@ impl OverTemperature {
         let about =
             "from where on a record of the expansion has means, as handbooks do; of the next kelvin if left out";
         self.expansion_from = own.quantity("expansion_from", TEMPERATURE, about).optional();
-        if self.expansion_from.is_some() && self.expansion.is_none() && !own.is_described() {
+        // Of a record that is none its own place tells.
+        let is_record = self.expansion.is_some() || own.has_table("expansion");
+        if self.expansion_from.is_some() && !is_record && !own.is_described() {
             let help = "leave it out, or give the record: expansion = { file = \"expansion.csv\" }";
             own.problem("expansion_from", "the expansion is no record over temperature", help);
         }

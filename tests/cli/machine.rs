@@ -65,5 +65,13 @@ const MISTAKES: &[Mistake] = &[
 
 #[test]
 fn a_machine_that_does_not_carry_the_part_is_told() {
-    Place::new().refuses(("run", "mill.toml"), &model("portal-mill.toml"), MISTAKES);
+    let place = Place::new();
+    place.refuses(("run", "mill.toml"), &model("portal-mill.toml"), MISTAKES);
+    // At the joint, not at the head of the structure.
+    let slack = "along = \"x\"\nstiffness = \"200 N/um\"\ngap = \"5 um\"";
+    let text = model("portal-mill.toml").replace("along = \"x\"\nstiffness = \"200 N/um\"", slack);
+    place.write("mill.toml", &text);
+    let line = 1 + text.lines().position(|line| line.starts_with("[structure.feed]")).unwrap();
+    let answer = place.fem(&["run", "mill.toml"]);
+    assert!(answer.err.contains(&format!("mill.toml:{line}:")), "{}", answer.err);
 }

@@ -252,6 +252,24 @@ fn a_measured_compliance_stands_for_the_drawing() {
     }
 }
 
+/// Beyond the places at which the tool was pushed nothing is known, and a run says what is taken for it.
+#[test]
+fn a_cut_beyond_where_the_tool_was_pushed_is_told() {
+    let place = Place::new();
+    place.write("measured.toml", model("measured-lathe.toml"));
+    let told = |csv: &str| {
+        place.write("measured-lathe.csv", csv);
+        let answer = place.fem(&["run", "measured.toml", "-o", "out", "--force"]);
+        assert_eq!(answer.status, 0, "{}", answer.err);
+        answer.out.lines().find(|line| line.contains("[compliance] of the tool")).map(str::to_string)
+    };
+    let all = model("measured-lathe.csv");
+    assert_eq!(told(&all), None);
+    let without: String = all.split_inclusive('\n').filter(|line| !line.contains("tool,600")).collect();
+    let line = told(&without).unwrap();
+    assert!(line.contains("from 0 mm to 450 mm; beyond it is taken to yield as there"), "{line}");
+}
+
 /// (in the file, replaced by, part of the message, part of the remedy)
 const MEASURED: &[Mistake] = &[
     (

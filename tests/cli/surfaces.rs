@@ -60,6 +60,12 @@ const MISTAKES: &[Mistake] = &[
     ),
     ("emissivity = 0.8", "emissivity = 0.8\ncovered = true", "no heat is brought to this edge", "leave it out"),
     ("emissivity = 0.8", "convection = { file = \"none.csv\" }", "none.csv", "relative to the folder"),
+    (
+        "emissivity = 0.8",
+        "moving = { speed = \"20 mm/min\", width = \"4 mm\", flux = \"60 kW/m^2\", from = \"-900 mm\" }",
+        "and never comes to the edge",
+        "look at `from`, `speed` and `[time] end`",
+    ),
 ];
 
 #[test]

@@ -90,14 +90,18 @@ fn conditions_that_cannot_hold_on_one_edge_are_refused() {
     let held = "[[boundary]]\nedge = \"top\"\ntemperature = \"30 degC\"\n";
     let covered = "[[boundary]]\nedge = \"top\"\nflux = \"6 kW/m^2\"\ncovered = true\n";
     let film = "[[boundary]]\nedge = \"top\"\nconvection = \"10 W/m^2/K\"\n";
-    for (edges, message) in [
-        ([held, held], "edge `top` is held at two temperatures"),
-        ([covered, film], "edge `top` is covered, and loses"),
+    for (edges, wrong, message) in [
+        ([held, held], 1, "edge `top` is held at two temperatures"),
+        ([covered, film], 0, "edge `top` is covered, and loses"),
+        ([film, covered], 1, "edge `top` is covered, and loses"),
     ] {
         let place = Place::new();
-        place.write("plate.toml", format!("{PLATE}[time]\nend = \"1 min\"\n{}", edges.concat()));
+        let before = format!("{PLATE}[time]\nend = \"1 min\"\n{}", edges[..wrong].concat());
+        let line = 1 + before.lines().count();
+        place.write("plate.toml", format!("{before}{}", edges[wrong..].concat()));
         let answer = place.fem(&["run", "plate.toml"]);
         assert!(answer.status == 2 && answer.err.contains(message), "{}", answer.err);
+        assert!(answer.err.contains(&format!("plate.toml:{line}:")), "{}", answer.err);
     }
 }
 

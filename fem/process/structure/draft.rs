@@ -98,7 +98,7 @@ impl Drawn {
         let Some(seat) = self.seats.first() else { return Some(self) };
         let name = &self.joints[seat.spring];
         let message = format!("`structure.{name}` is no spring, and {about} joints are springs");
-        model.problem("structure", message, "give it a stiffness alone");
+        model.problem_in("structure", name, message, "give it a stiffness alone");
         None
     }
 

@@ -1,5 +1,7 @@
 //! The table of what holds on an edge of a plane body or of a body of revolution.
 
+use std::ops::Range;
+
 use super::body::Body;
 use super::source;
 use crate::input::{Along, Reader, Varying};
@@ -16,6 +18,8 @@ pub struct Boundary {
     pub condition: Condition,
     /// Whether what brings the heat covers the edge, so that it loses none to the surroundings.
     pub is_covered: bool,
+    /// Its bytes in the file.
+    span: Option<Range<usize>>,
 }
 
 /// A condition on an edge.
@@ -60,7 +64,8 @@ impl Boundary {
             let help = "leave it out: an edge with a film or a temperature of its own loses by that alone";
             t.problem("covered", "no heat is brought to this edge by a flux", help);
         }
-        Self { edge, condition, is_covered }
+        condition.check_reach(t, body, &edge, run);
+        Self { edge, condition, is_covered, span: t.span() }
     }
 
     /// Whether the film of the surroundings acts on the edge: not where it has a film or a temperature of its own, nor
@@ -135,6 +140,35 @@ impl Condition {
     }
 }
 
+impl Condition {
+    /// Refuses a strip of flux that is beside the body all along the `run`.
+    fn check_reach(&self, t: &Reader, body: &Body, edge: &str, run: Along) {
+        let (Self::Moving { speed, width, from, .. }, Some(plane)) = (self, body.plane()) else { return };
+        // Edges of meshes from files go anywhere.
+        let axes: &[usize] = match edge {
+            "left" | "right" => &[1],
+            "top" | "bottom" | "outside" | "bore" => &[0],
+            _ => &[0, 1],
+        };
+        let places = run.needed.map(|time| from + speed * time);
+        let (first, last) = (places[0].min(places[1]) - 0.5 * width, places[0].max(places[1]) + 0.5 * width);
+        let misses = |axis: &usize| {
+            let [low, high] = plane.extent(*axis);
+            last <= low || first >= high
+        };
+        if t.is_as_written() && axes.iter().all(misses) {
+            let [low, high] = plane.extent(axes[0]).map(|place| LENGTH.format(place));
+            let [first, last] = [first, last].map(|place| LENGTH.format(place));
+            let message = format!("the strip goes from {first} to {last} in this run, and never comes to the edge");
+            t.problem(
+                "moving",
+                message,
+                format!("the edge goes from {low} to {high}: look at `from`, `speed` and `[time] end`"),
+            );
+        }
+    }
+}
+
 /// Refuses conditions that cannot hold on one edge together: two temperatures, and a film where it is covered.
 pub fn refuse_contradictions(model: &Reader, boundaries: &[Boundary]) {
     for (i, own) in boundaries.iter().enumerate() {
@@ -144,11 +178,12 @@ pub fn refuse_contradictions(model: &Reader, boundaries: &[Boundary]) {
         let edge = &own.edge;
         if is_held(own) && boundaries[..i].iter().any(|other| other.edge == *edge && is_held(other)) {
             let message = format!("edge `{edge}` is held at two temperatures");
-            model.problem("boundary", message, "keep one of them, or part the edge in a mesh of your own");
+            let help = "keep one of them, or part the edge in a mesh of your own";
+            model.problem_at(own.span.clone(), message, help);
         }
         if own.is_covered && others().any(loses) {
             let message = format!("edge `{edge}` is covered, and loses heat by a film of its own");
-            model.problem("boundary", message, "leave out `covered`, or the film");
+            model.problem_at(own.span.clone(), message, "leave out `covered`, or the film");
         }
     }
 }

@@ -13,7 +13,7 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::input::{ListedRow, Listing, Problem, Reader, did_you_mean, name_and_unit, number};
-use crate::process::estimates;
+use crate::process::{Figure, estimates};
 use crate::solve::{Foundation, Seats};
 use crate::units::{COMPLIANCE, LENGTH, NUMBER, Unit};
 
@@ -21,6 +21,8 @@ use crate::units::{COMPLIANCE, LENGTH, NUMBER, Unit};
 const ASYMMETRY: (f64, f64) = (4.0, 0.1);
 /// What rounding leaves of a compliance that is zero, as a part of the largest.
 const ROUNDED: f64 = 1e-6;
+/// A cut that ends so near to where the tool was pushed ends there, m.
+const NEAR: f64 = 1e-6;
 /// More places than anybody pushes at.
 const MOST: usize = 200;
 
@@ -130,6 +132,21 @@ impl Imported {
             }
         }
         Ok(Self { compliance: possible(compliance, doubt, &places)?, tools })
+    }
+
+    /// How far the tool was pushed along the shaft, where it also cuts beyond, m.
+    pub fn figure(&self, positions: &[f64]) -> Option<Figure> {
+        let [first, last] = [*self.tools.first()?, *self.tools.last()?];
+        positions.iter().any(|x| *x < first - NEAR || *x > last + NEAR).then(|| {
+            let reach = match first == last {
+                true => format!("at {}", LENGTH.format(first)),
+                false => format!("from {} to {}", LENGTH.format(first), LENGTH.format(last)),
+            };
+            Figure::new("pushed", "[compliance] of the tool")
+                .quantity("from", LENGTH, first)
+                .quantity("to", LENGTH, last)
+                .line(format!("{reach}; beyond it is taken to yield as there"))
+        })
     }
 
     /// What a shaft with so many rests sees of it with the tool at each of the positions (m).

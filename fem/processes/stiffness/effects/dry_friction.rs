@@ -4,7 +4,7 @@
 //! force turns back at F_max friction turns too, and the spring is let go only after the force has dropped
 //! by 2f: S = F + f, at most F_max − f. Of a force that is reversed the rising branch is the falling one turned about,
 //! S = F − f and at least f − F_max. The loop between the branches is its work [seed 000, fig. 5]. f in
-//! N. Coulomb's law; left out: a friction that depends on speed, on place, or on the load.
+//! N. In a whole machine it acts between the place that is pushed and the ground. Coulomb's law; left out: a friction that depends on speed, on place, or on the load.
 
 use super::super::machine::Effect;
 use crate::process::{Belongs, Odds, Parameter, UnitRole, nothing};

@@ -48,6 +48,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     figures.extend(compliance.as_ref().and_then(|c| c.figure(positions)));
     let shares = structure::shares(machine, &shaft, positions, deflections);
     figures.extend(shares.as_ref().and_then(|shares| structure::figure(shares, positions)));
+    figures.extend(setup.imported.as_ref().and_then(|own| own.figure(positions)));
     figures.push(schedule(setup));
     let (worn, nearly_worn) = edge::figure(machine).unzip();
     figures.extend(worn);
