@@ -19,7 +19,8 @@ pub fn run(args: &args::Run) -> Result<(), Error> {
     model.require_part()?;
     let progress = Arc::new(Progress::default());
     let (mut run, band) = watched(&progress, || ask::run(&model, &progress))?;
-    run.report.animation = run.report.animation.map(|own| own.thinned(args.frames as usize));
+    let thinned = run.report.animations.into_iter().map(|own| own.thinned(args.frames as usize)).collect();
+    run.report.animations = thinned;
     let answer = RunAnswer(&model, &run, band.as_ref());
     let directory = args.output.clone().unwrap_or_else(|| default_directory(&args.model, "model"));
     let reads = model.paths();

@@ -97,8 +97,9 @@ impl Answer for RunAnswer<'_> {
         {
             files.text(format!("{name}.csv"), &csv::table(&table))?;
         }
-        if let Some(animation) = &found.animation {
-            files.animation(animation, "view.py", model, Path::new(""))?;
+        for (number, animation) in found.animations.iter().enumerate() {
+            let script = if number == 0 { "view.py".into() } else { format!("view-{}.py", animation.name) };
+            files.animation(animation, &script, model, Path::new(""))?;
         }
         if let Some(animation) = allowed::animation(model, run, band) {
             files.animation(&animation, "view-allowed.py", model, Path::new(""))?;

@@ -27,9 +27,9 @@ pub struct RunReport {
     pub sketch: Option<Sketch>,
     /// Warnings that should not be overlooked, as sentences.
     pub warnings: Vec<String>,
-    /// Shapes to play, if the process has any.
+    /// Shapes to play, the part's first.
     #[doc(hidden)]
-    pub animation: Option<Animation>,
+    pub animations: Vec<Animation>,
 }
 
 /// Columns of equal length.

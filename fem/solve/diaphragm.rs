@@ -64,18 +64,24 @@ impl Bent {
     }
 }
 
-/// What one wave of moment does at its circle, for M = 1.
+/// What one wave of moment does, for M = 1.
 struct Wave {
     /// Slope times D/b.
     slope: f64,
     /// Radial moments within and outside of the circle, and at the edge.
     moments: [f64; 3],
+    /// Coefficients of the deflection times D/b² within the circle, of x^m and x^(m + 2).
+    inside: [f64; 2],
+    /// Outside of it, of the same powers of r/a, and of its powers −m and 2 − m.
+    outside: [f64; 4],
 }
 
 /// Harmonics of a root are counted up to this many radians across it.
 const ACROSS: f64 = 1500.0;
 /// And so many of them at most: a narrower root is as good as a point.
 const MOST: usize = 20_000;
+/// Of the deflection, which falls with the cube of the wave, so many are counted.
+const SEEN: usize = 40;
 
 impl Diaphragm {
     /// D = E·h³/12(1 − ν²), N·m.
@@ -110,6 +116,39 @@ impl Diaphragm {
         }
     }
 
+    /// Deflection (m) towards the arms of a place at a radius (m) and an angle (rad) from the middle of an arm, under a moment of
+    /// 1 N·m on every arm that turns it outwards.
+    pub fn deflection(&self, arms: &Arms, radius: f64, angle: f64) -> f64 {
+        let Arms { circle, count, root } = *arms;
+        let (x, s) = (radius / circle, self.radius / circle);
+        let even = match x < 1.0 {
+            true => 0.5 * s.ln() - 0.25 * (1.0 - 1.0 / (s * s)) * x * x,
+            false => 0.5 * ((s / x).ln() - 0.5 * (1.0 - (x / s).powi(2))),
+        };
+        let waves = (1..=SEEN).map(|k| k * count).map(|m| {
+            let (wave, order, half) = (self.wave(circle, m), m as i32, 0.5 * m as f64 * root);
+            let powers = [order, order + 2, -order, 2 - order];
+            let of = |terms: &[f64], place: f64| {
+                terms.iter().zip(powers).map(|(term, power)| term * place.powi(power)).sum::<f64>()
+            };
+            let away = if x < 1.0 { of(&wave.inside, x) } else { of(&wave.outside, x / s) };
+            -2.0 * half.sin() / half * away * (m as f64 * angle).cos()
+        });
+        let mean = count as f64 / (TAU * circle);
+        mean * circle * circle / self.rigidity() * (even + waves.sum::<f64>())
+    }
+
+    /// Deflection (m) at a radius (m) under a push of 1 N on a circle of radius `pusher` (m).
+    pub fn deflection_pushed(&self, pusher: f64, radius: f64) -> f64 {
+        let (a, c, r) = (self.radius, pusher, radius.max(pusher));
+        let far = 0.25 * (a * a - r * r) - 0.5 * r * r * (a / r).ln();
+        let near = 0.5 * c * c * ((a / r).ln() - 0.5 * (1.0 - (r / a).powi(2)));
+        // Within its circle a push bends the plate evenly.
+        let steep = c * (a / c).ln() - 0.5 * c * (1.0 - (c / a).powi(2));
+        let within = 0.5 * steep * (c - radius.min(c).powi(2) / c);
+        (far - near + within) / (4.0 * PI * self.rigidity())
+    }
+
     /// The plate under a push of 1 N on a circle of radius `pusher` (m), within that at which the slope is asked for.
     pub fn pushed(&self, pusher: f64, circle: f64) -> Bent {
         let (a, b, c) = (self.radius, circle, pusher);
@@ -132,7 +171,8 @@ impl Diaphragm {
     fn even(&self, circle: f64) -> Wave {
         let beta = (circle / self.radius).powi(2);
         let inside = 0.5 * (1.0 + self.poisson_ratio) * (1.0 - beta);
-        Wave { slope: 0.5 * (1.0 - beta), moments: [-inside, 1.0 - inside, beta] }
+        let moments = [-inside, 1.0 - inside, beta];
+        Wave { slope: 0.5 * (1.0 - beta), moments, inside: [0.0; 2], outside: [0.0; 4] }
     }
 
     /// A moment of m ≥ 2 waves around.
@@ -150,7 +190,8 @@ impl Diaphragm {
         let inner = curvature(&[(powers[0], one), (powers[1], two)]);
         let inside = -(inner + self.poisson_ratio * (slope - wave * wave * (one + two)));
         let outer = [(powers[0], grown[0]), (powers[1], grown[1]), (powers[2], falling), (powers[3], slowly)];
-        Wave { slope, moments: [inside, inside + 1.0, -curvature(&outer) / (s * s)] }
+        let moments = [inside, inside + 1.0, -curvature(&outer) / (s * s)];
+        Wave { slope, moments, inside: [one, two], outside: outer.map(|(_, term)| term) }
     }
 }
 
@@ -171,6 +212,31 @@ mod tests {
         }
         // Far from the edge a short wave has the slope b/4mD of an endless plate.
         assert!((PLATE.wave(0.05, 40).slope * 160.0 - 1.0).abs() < 1e-3);
+    }
+
+    /// Deflections have the slopes that are computed by themselves, and are the deflection of the middle there.
+    #[test]
+    fn deflections_are_those_of_their_slopes() {
+        let arms = Arms { circle: 0.06, count: 6, root: 0.3 };
+        let bent = PLATE.under_arms(&arms);
+        assert!((PLATE.deflection(&arms, 0.0, 0.2) / bent.deflection - 1.0).abs() < 1e-9);
+        let step = 1e-6;
+        let places = (0..200).map(|i| 0.3 * ((i as f64 + 0.5) / 200.0 - 0.5));
+        let steep = |radius: f64, angle: f64| {
+            (PLATE.deflection(&arms, radius - step, angle) - PLATE.deflection(&arms, radius + step, angle))
+                / (2.0 * step)
+        };
+        let mean = places.map(|angle| steep(0.06, angle)).sum::<f64>() / 200.0;
+        assert!((mean / bent.slope - 1.0).abs() < 1e-3, "{mean} {}", bent.slope);
+        for angle in [0.0, 0.1, 0.5] {
+            assert!(PLATE.deflection(&arms, 0.1, angle).abs() < 1e-12 * bent.deflection);
+            assert!(steep(0.1 - step, angle).abs() < 1e-3 * bent.slope);
+        }
+        let pushed = PLATE.pushed(0.02, 0.06);
+        let at = |radius: f64| PLATE.deflection_pushed(0.02, radius);
+        assert!((at(0.0) / pushed.deflection - 1.0).abs() < 1e-12 && at(0.1) == 0.0);
+        let slope = (at(0.06 - step) - at(0.06 + step)) / (2.0 * step);
+        assert!((slope / pushed.slope - 1.0).abs() < 1e-6, "{slope} {}", pushed.slope);
     }
 
     #[test]

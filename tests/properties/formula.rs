@@ -189,7 +189,7 @@ fn numbers(twin: &Twin, effect: &str) -> Vec<(String, f64)> {
         let spots = drawing.curves.iter().flat_map(|c| c.pieces.iter().flatten());
         all.extend(spots.map(|s| (format!("{}.svg", drawing.name), s.deviation)));
     }
-    if let Some(animation) = &report.animation {
+    for animation in &report.animations {
         for i in [0, animation.frames / 2, animation.frames - 1] {
             let Frame { grid, .. } = (animation.frame)(i);
             for field in grid.point_fields.iter().chain(&grid.cell_fields) {

@@ -35,7 +35,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> RunReport {
         plots: Direction::BOTH.map(|direction| tested.plot(&evaluation, direction)).into(),
         warnings: warnings(setup),
         sketch: Some(sketch::sketch(machine)),
-        animation: Some(shapes::animation(machine, forward)),
+        animations: vec![shapes::animation(machine, forward)],
         ..RunReport::default()
     }
 }

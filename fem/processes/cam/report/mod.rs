@@ -29,7 +29,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> RunReport {
         drawings: vec![shapes::drawing(setup, deviations)],
         sketch: None,
         warnings: warnings(setup, &blocks),
-        animation: Some(shapes::animation(setup, run.motion, deviations)),
+        animations: vec![shapes::animation(setup, run.motion, deviations)],
     }
 }
 

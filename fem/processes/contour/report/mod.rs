@@ -35,7 +35,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         plots: vec![plot(&machine.setup, forward.programme, forward.prediction)],
         drawings: vec![shapes::drawing(&machine.setup, rows, deviations)],
         warnings: warnings(machine),
-        animation: Some(shapes::animation(machine, rows, deviations)),
+        animations: vec![shapes::animation(machine, rows, deviations)],
         ..RunReport::default()
     })
 }

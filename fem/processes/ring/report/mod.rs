@@ -2,6 +2,7 @@
 
 mod clamped;
 mod membrane;
+mod plate;
 mod shapes;
 mod sketch;
 mod wide;
@@ -73,7 +74,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         drawings: vec![drawing(setup, angles, deviations)],
         warnings: warnings(machine),
         sketch: Some(sketch::sketch(machine)),
-        animation: Some(scene.animation()),
+        animations: std::iter::once(scene.animation()).chain(plate::animation(setup)).collect(),
         ..RunReport::default()
     })
 }

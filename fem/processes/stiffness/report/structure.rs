@@ -40,7 +40,7 @@ pub fn report(machine: &Machine, base: &Arc<Base>, forward: &Forward) -> Result<
         tables: vec![("compliance", compliance(base, most)?), ("structure", table(&shares))],
         figures,
         sketch: Some(sketch(&machine.setup, base)?),
-        animation: Some(animation(&machine.setup, base.clone())),
+        animations: vec![animation(&machine.setup, base.clone())],
         ..RunReport::default()
     })
 }

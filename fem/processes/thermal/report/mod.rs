@@ -47,7 +47,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         figures,
         plots: plots(rows, observed),
         warnings,
-        animation: Some(scene.animation()),
+        animations: vec![scene.animation()],
         ..RunReport::default()
     })
 }

@@ -71,7 +71,7 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
         ]
         .concat(),
         sketch: Some(sketch::sketch(machine, positions, deflections)?),
-        animation: Some(shapes::animation(machine, forward)?),
+        animations: vec![shapes::animation(machine, forward)?],
         ..RunReport::default()
     })
 }

@@ -289,7 +289,7 @@ mod tests {
     fn the_line_reaches_the_deflection_under_the_tool() {
         let lathe = lathe("centres", "headstock-compliance", &[60.0]);
         let report = lathe.report(lathe.predict(&Progress::default()).unwrap()).unwrap();
-        let animation = report.animation.unwrap();
+        let animation = &report.animations[0];
         for i in [1, 7, 50, 93] {
             let frame = (animation.frame)(i);
             let nose = frame.grid.points[frame.grid.points.len() - 1][0];
