@@ -31,7 +31,15 @@ impl Answer for FitAnswer<'_> {
         let columns = [Column::wide("parameter"), Column::new("value", 24), Column::remark("95 % interval", 0)];
         let rows = fit.estimates.iter().flat_map(|e| rows(e, false)).chain(sizes);
         blocks.push(Block::Table(Table::new(columns, rows)));
-        for (i, j, c) in &fit.correlated {
+        for (i, j, combination) in &fit.told_together {
+            let (a, b) = (&fit.estimates[*i].parameter.path, &fit.estimates[*j].parameter.path);
+            let word = combination.word();
+            blocks.push(Block::Lines(format!(
+                "\n  all rows depend on the {word} of {a} and {b} alone: give one of the two a value\n"
+            )));
+        }
+        let is_told = |pair: (usize, usize)| fit.told_together.iter().any(|(i, j, _)| (*i, *j) == pair);
+        for (i, j, c) in fit.correlated.iter().filter(|(i, j, _)| !is_told((*i, *j))) {
             let (a, b) = (&fit.estimates[*i].parameter.path, &fit.estimates[*j].parameter.path);
             blocks.push(Block::Lines(format!("\n  {a} and {b} can hardly be told apart (correlation {c:+.3})\n")));
         }
@@ -75,6 +83,7 @@ impl Answer for FitAnswer<'_> {
             "parameters": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
             "sizes": fit.sizes.iter().map(|s| estimate(&s.estimate)).collect::<Vec<_>>(),
             "correlated": fit.correlated.iter().map(|(i, j, c)| json!([name(*i), name(*j), c])).collect::<Vec<_>>(),
+            "told_together": fit.told_together.iter().map(|(i, j, c)| json!([name(*i), name(*j), c.word()])).collect::<Vec<_>>(),
             "failed_trials": fit.failures,
             "evaluations": fit.evaluations,
             "cautions": cautions(data, fit).collect::<Vec<_>>(),
