@@ -396,3 +396,25 @@ fn a_measured_diameter_is_known_by_its_sign() {
     assert_eq!(answer.status, 0, "{}", answer.err);
     assert!(place.read("taken.csv").contains("1,99.5,50.016"), "{}", place.read("taken.csv"));
 }
+
+#[test]
+fn columns_that_are_not_written_are_told() {
+    let place = Place::new();
+    let rows: String = [20.1, 22.3, 19.7, 21.1, 23.9, 20.2]
+        .iter()
+        .enumerate()
+        .map(|(i, coolant)| format!("1,{},300,3{i},1,{coolant}\n", 40 * (i + 1)))
+        .collect();
+    place.write("m.csv", format!("part,x [mm],radial_force [N],diameter_error [um],u [um],coolant [degC]\n{rows}"));
+    let written = place.fem(&["import", "m.csv", "-o", "own.csv"]);
+    assert!(written.status == 0 && written.err.contains("the column `coolant` not written"), "{}", written.err);
+    assert!(!place.read("own.csv").contains("coolant"));
+}
+
+#[test]
+fn headings_beyond_the_end_of_a_file_are_refused() {
+    let place = Place::new();
+    place.write("m.csv", "part,x [mm],diameter_error [um]\n1,20,3\n1,40,4\n");
+    let args = ["import", "m.csv", "--process", "turning", "--header", "99", "-o", "own.csv"];
+    place.is_refused(&args, "line 99", ("cannot stand in line 99: there are 3 lines", "--header 0 where none has"));
+}
