@@ -6,6 +6,7 @@ use super::answer::Answer;
 use super::block::{Block, Cell, Column, Table};
 use super::json::finite;
 use super::measurement::{self, files};
+use super::number;
 use crate::compare::SIGNIFICANCE;
 use crate::fit::{Estimate, Fit};
 use crate::model::Data;
@@ -52,7 +53,7 @@ impl Answer for FitAnswer<'_> {
             None => "whether that is noise cannot be told without repeats or a column u",
         };
         let chi2 = Some(fit.reduced_chi2).filter(|chi2| chi2.is_finite());
-        let chi2 = chi2.map_or(String::new(), |chi2| format!(", chi2/dof {chi2:.3}"));
+        let chi2 = chi2.map_or(String::new(), |chi2| format!(", chi2/dof {}", number::fixed(chi2, 3)));
         let rms = kind.from_si(fit.rms);
         blocks.push(Block::Lines(format!("\n  rms {rms:.3} {}{chi2}: {verdict}\n", kind.unit)));
         if fit.failures > 0 {
