@@ -6,6 +6,7 @@ use crate::fit::{Fit, has_nothing_to_fit};
 use crate::input::Problem;
 use crate::model::{Data, Entry, Model, Setting, add_effect};
 use crate::output::{Addition, additions};
+use crate::process::Failure;
 use crate::progress::Progress;
 
 /// Estimates what the model leaves open.
@@ -23,18 +24,39 @@ pub fn fit(data: &Data) -> Result<Fit, Error> {
 /// The model with every fitted value that the data tell.
 ///
 /// # Errors
-/// A fitted value lies outside of what a model may hold, or a formula has no value where nobody measured.
+/// A fitted value lies outside of what a model may hold, or the model cannot be run with it.
 pub fn fitted(data: &Data, fit: &Fit) -> Result<Model, Error> {
-    with_values_everywhere(data.model.edited(&crate::fit::edits(data, fit))?)
+    by_itself(data.model.edited(&crate::fit::edits(data, fit))?)
 }
 
-/// A model that runs as well as it compares: a formula has a value at every row of its own programme, too. Columns that only
-/// measurements have are in no programme.
-fn with_values_everywhere(model: Model) -> Result<Model, Error> {
-    if model.effects.iter().any(|own| own.formula.is_some()) && model.recorded().is_empty() {
-        model.forward().predict(&Progress::default())?;
+/// A model that runs as well as it compares: what its own programme asks of it may be far from where anybody measured, and
+/// columns that only measurements have are in no programme.
+fn by_itself(model: Model) -> Result<Model, Error> {
+    let model = with_usual(model)?;
+    if model.require_values().is_ok() {
+        model.forward().predict(&Progress::default()).map_err(|Failure { message, help }| Failure {
+            message: format!("with these values the model cannot be run, and is not written: {message}"),
+            help,
+        })?;
     }
     Ok(model)
+}
+
+/// The model with what columns of files usually are that its formulas name: where rows have none, as in a run, it is that.
+///
+/// # Errors
+/// A column has a name that no key can have.
+pub fn with_usual(model: Model) -> Result<Model, Problem> {
+    match &*model.saying_usual() {
+        [] => Ok(model),
+        edits => model.edited(edits),
+    }
+}
+
+/// A note on each column of which a model says what it usually is, and the one from which it was made did not.
+pub fn usual_said(model: &Model, before: &Model) -> Vec<String> {
+    let note = |said| format!("[recorded] has {said}, the median of the rows: it is what a run takes");
+    model.usual_beside(before).into_iter().map(note).collect()
 }
 
 /// The model with the missing effects and every fitted value.
@@ -46,7 +68,7 @@ pub fn completed(data: &Data, diagnosis: &Diagnosis) -> Result<Model, Error> {
     for addition in additions(data, diagnosis) {
         better = mended(&better, &addition)?;
     }
-    with_values_everywhere(better)
+    by_itself(better)
 }
 
 /// The model with one cause seen to.

@@ -22,7 +22,7 @@ mod study;
 pub use catalogue::catalogue;
 pub use comparison::{compare_all, refuse_mixed};
 pub use compensation::compensate;
-pub use completion::{completed, extended, fit, fitted, mended, notes, steps};
+pub use completion::{completed, extended, fit, fitted, mended, notes, steps, usual_said, with_usual};
 pub use correction::{action, correct, remedies};
 pub use error::{Error, Marks};
 pub use importing::look;

@@ -3,8 +3,8 @@
 use super::args;
 use super::error::Error;
 use super::say::say;
-use super::terminal::print;
-use crate::ask::read;
+use super::terminal::{notes, print};
+use crate::ask::{read, usual_said, with_usual};
 use crate::measure::Measurements;
 use crate::model::{Model, add_effect};
 use crate::output::files::{self, Guard};
@@ -15,7 +15,7 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
     let reads: Vec<_> = std::iter::once(&args.model).chain(&args.with).cloned().collect();
     let guard = Guard { reads: &reads, force: args.force };
     guard.check(&args.output)?;
-    let written = add_effect(&model, &args.effect, &args.settings)?;
+    let written = with_usual(add_effect(&model, &args.effect, &args.settings)?)?;
     files::write(&args.output, written.text_at(&args.output).as_bytes(), guard)?;
     let name = args.output.display();
     let prefixes = [format!("effects.{}.", args.effect), format!("measurement.{}.", args.effect)];
@@ -25,6 +25,7 @@ pub fn add(args: &args::Add) -> Result<(), Error> {
     if !unknown.is_empty() {
         say!("note: unknown (`?`) in {name}: {}; give a value, or let `fem fit` find it", unknown.join(", "));
     }
+    notes(&usual_said(&written, &model));
     let added = written.measurement.get(model.measurement.len()..).unwrap_or_default();
     let sizes: Vec<&str> = added.iter().filter(|t| written.is_unknown(t)).map(|t| t.effect.size.key()).collect();
     if !sizes.is_empty() {

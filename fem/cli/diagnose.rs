@@ -33,18 +33,25 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let (model, measured) = ask::read(path, |process, kept| args.data.load(process, kept, false))?;
     let data = Data::of(&model, measured)?.watched(progress.clone());
     let diagnosis = searched(args, &data, &progress, guard)?;
-    if let Some(new) = &args.add_to {
-        let better = completed(&data, &diagnosis)?;
-        files::write(new, better.text_at(new).as_bytes(), guard)?;
-        say!("written {}", new.display());
-        for open in diagnosis.fit.of(&model).filter(|e| !e.is_closed()) {
-            say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
-        }
-    }
+    // What was found is told, whether or not it makes a model.
+    let completed = args.add_to.as_ref().map_or(Ok(()), |new| write_completed(new, (&data, &diagnosis), guard));
     if let Some(rows) = &args.next {
         write_next(args, rows, (&data, &diagnosis), guard)?;
     }
-    print_diagnosis(args, &data, &diagnosis)
+    print_diagnosis(args, &data, &diagnosis)?;
+    completed
+}
+
+/// Writes the completed model.
+fn write_completed(new: &Path, (data, diagnosis): (&Data, &Diagnosis), guard: Guard) -> Result<(), Error> {
+    let better = completed(data, diagnosis)?;
+    files::write(new, better.text_at(new).as_bytes(), guard)?;
+    say!("written {}", new.display());
+    notes(&ask::usual_said(&better, data.model));
+    for open in diagnosis.fit.of(data.model).filter(|e| !e.is_closed()) {
+        say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
+    }
+    Ok(())
 }
 
 /// Writes the rows to measure next and, where they lie beyond the model, the model that has them; says how to go on.

@@ -1,11 +1,14 @@
 //! `fem fit`.
 
+use std::path::Path;
+
 use super::args;
 use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
-use crate::ask::{fit, fitted, read};
+use crate::ask::{fit, fitted, read, usual_said};
+use crate::fit::Fit;
 use crate::model::Data;
 use crate::output::FitAnswer;
 use crate::output::files::{self, Guard};
@@ -19,16 +22,22 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
     let (model, measured) = read(&args.model, |process, kept| args.data.load(process, kept, false))?;
     let data = Data::of(&model, measured)?.watched(args.limit.progress());
     let fit = watched(&data.progress, || fit(&data))?;
-    if let Some(new) = &args.add_to {
-        // A fitted value outside its bounds would make a file that cannot be read: better none.
-        let fitted = fitted(&data, &fit)?;
-        files::write(new, fitted.text_at(new).as_bytes(), guard)?;
-        say!("written {}", new.display());
-        let sizes = fit.sizes.iter().filter(|s| !s.is_told()).map(|s| &s.estimate);
-        for open in fit.estimates.iter().filter(|e| !e.is_closed()).chain(sizes) {
-            say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
-        }
-    }
+    // What was found is told, whether or not it makes a model.
+    let written = args.add_to.as_ref().map_or(Ok(()), |new| write(new, (&data, &fit), guard));
     notes(&data.notes_of_fit());
-    print(&page(&FitAnswer(&data, &fit), args.json))
+    print(&page(&FitAnswer(&data, &fit), args.json))?;
+    written
+}
+
+/// Writes the fitted model; one that could not be read again, or run, is none.
+fn write(new: &Path, (data, fit): (&Data, &Fit), guard: Guard) -> Result<(), Error> {
+    let fitted = fitted(data, fit)?;
+    files::write(new, fitted.text_at(new).as_bytes(), guard)?;
+    say!("written {}", new.display());
+    notes(&usual_said(&fitted, data.model));
+    let sizes = fit.sizes.iter().filter(|s| !s.is_told()).map(|s| &s.estimate);
+    for open in fit.estimates.iter().filter(|e| !e.is_closed()).chain(sizes) {
+        say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
+    }
+    Ok(())
 }

@@ -69,6 +69,14 @@ fn written(
     let text = measurements(taken, process, &format!("Taken from {}.", taken.name));
     files::write(output, text.as_bytes(), guard)?;
     notes(&taken.notes);
+    let beside: Vec<String> = taken.recorded.iter().map(|own| format!("`{}`", own.name)).collect();
+    if !beside.is_empty() {
+        let (name, columns) = (process.name(), if beside.len() == 1 { "the column" } else { "the columns" });
+        notes(&[format!(
+            "{columns} {} not written: no column of {name}; formulas find them in the file itself",
+            beside.join(", ")
+        )]);
+    }
     let observed: Vec<&str> = taken.observables.iter().map(|o| &*o.name).collect();
     let rows = if taken.len() == 1 { "observation" } else { "observations" };
     let (to, from) = (output.display(), args.file.display());

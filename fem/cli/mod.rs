@@ -31,9 +31,12 @@ mod terminal;
 mod validate;
 mod watch;
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 
 use clap::{CommandFactory, Parser};
+
+use crate::input::{Problem, one_line};
+use crate::output::files;
 
 use args::{Args, Command};
 use terminal::print;
@@ -42,6 +45,10 @@ use terminal::print;
 /// not written, 2 wrong input. Help and wrong arguments end the process at once, as Ctrl-C does from here on.
 pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     watch::prepare();
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    if let Err(problem) = arguments.iter().try_for_each(|argument| plain(argument)) {
+        return error::Error::from(problem).report();
+    }
     let args = Args::parse_from(arguments);
     let result = match args.command {
         None => start::start(),
@@ -75,5 +82,24 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     match result {
         Ok(()) => 0,
         Err(error) => error.report(),
+    }
+}
+
+/// Refuses the name of a file with a line end in it, for a list as a value may have some, or that the program needs itself.
+fn plain(argument: &OsStr) -> Result<(), Problem> {
+    let text = argument.to_string_lossy();
+    let is_value = !text.starts_with('-') && text.split(['\n', '\r']).next().is_some_and(|first| first.contains('='));
+    if is_value {
+        return Ok(());
+    }
+    one_line(&text)?;
+    let path = text.strip_prefix('-').and_then(|option| option.split_once('=')).map_or(&*text, |(_, path)| path);
+    match path.split(['/', '\\']).find(|part| files::OWN.contains(part)) {
+        None => Ok(()),
+        Some(own) => {
+            let problem =
+                Problem::new(format!("`{own}` is a file in which the program keeps what it has written itself"));
+            Err(problem.help("name another file or folder"))
+        }
     }
 }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::error::Error;
 use super::terminal::print;
+use crate::input::text_of;
 use crate::processes;
 
 /// Most bytes of a file that is looked into.
@@ -47,7 +48,7 @@ pub fn start() -> Result<(), Error> {
 fn models() -> Vec<String> {
     let is_model = |path: &Path| {
         let is_short = std::fs::metadata(path).is_ok_and(|about| about.len() <= LARGEST);
-        let text = if is_short { std::fs::read_to_string(path).unwrap_or_default() } else { String::new() };
+        let text = if is_short { text_of(path) } else { String::new() };
         text.lines().any(|line| line.strip_prefix("process").is_some_and(|rest| rest.trim_start().starts_with('=')))
     };
     files("toml").into_iter().filter(|path| is_model(path)).map(|path| name(&path)).collect()
@@ -60,8 +61,10 @@ fn tables() -> Vec<String> {
 /// The files of a kind in the folder, sorted.
 fn files(ending: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(".").into_iter().flatten().flatten();
+    // A name with a line end would stand there as a line of its own, as if it were said here.
+    let is_shown = |path: &Path| path.is_file() && !path.to_string_lossy().contains(char::is_control);
     let mut found: Vec<PathBuf> =
-        entries.map(|e| e.path()).filter(|p| p.is_file() && p.extension().is_some_and(|e| e == ending)).collect();
+        entries.map(|e| e.path()).filter(|p| is_shown(p) && p.extension().is_some_and(|e| e == ending)).collect();
     found.sort();
     found
 }

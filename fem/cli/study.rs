@@ -42,6 +42,12 @@ pub fn run(args: &args::Study) -> Result<(), Error> {
     let earlier = Earlier { restart: args.restart, force: args.force };
     let mut folder = StudyFolder::open(&directory, &layout, shard, earlier, &reads)?;
     let jobs = folder.jobs();
+    if let Some(job) = folder.altered() {
+        say!(
+            "note: row {job} in {} was not as it was written, and is computed again with those behind it",
+            directory.display()
+        );
+    }
     let left = folder.next()..jobs.end;
     if !left.is_empty() && left.start > jobs.start {
         say!(

@@ -69,7 +69,10 @@ pub fn conclude(
     let features = verdict::features(&found.base);
     let mut remaining = if best.members.is_empty() { features.clone() } else { verdict::features(&best) };
     let base = &found.base.objective;
-    let judges = Judges::of(base.data, &found.base.residuals(), &base.noise, repeats);
+    let judges = match base.data.len() < FEWEST_ROWS {
+        true => Judges::Nothing,
+        false => Judges::of(base.data, &found.base.residuals(), &base.noise, repeats),
+    };
     let mut verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining), judges);
     if is_imitation && !matches!(verdict, Verdict::Adequate | Verdict::NotJudged) {
         verdict = Verdict::Unexplained;
@@ -203,6 +206,9 @@ pub fn conclude(
         trials,
     })
 }
+
+/// Fewest rows that tell one cause from another, however well each is known: any effect explains what a row or two are off by.
+const FEWEST_ROWS: usize = 3;
 
 /// Whether what was found explains anything.
 fn explains(verdict: Verdict) -> bool {

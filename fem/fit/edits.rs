@@ -91,9 +91,10 @@ pub fn uncertain_beside(value: f64, std: f64, alone: f64) -> String {
         let digits = place as usize;
         return format!("{value:.digits$} +- {std:.digits$}");
     }
-    let unit = 10f64.powi(-place);
-    let round = |v: f64| (v / unit).round() * unit;
-    format!("{:e} +- {:e}", round(value), round(std))
+    // No more digits than a computation has.
+    let [digits, of_std] =
+        [2 - of_value, std.log10().floor() as i32].map(|exponent| (place + exponent).clamp(0, 12) as usize);
+    format!("{value:.digits$e} +- {std:.of_std$e}")
 }
 
 #[cfg(test)]
@@ -107,5 +108,8 @@ mod tests {
         assert_eq!(uncertain_beside(59.2437, 1.1432, 0.02), "59.244 +- 1.143");
         assert_eq!(uncertain(-0.5, 0.25), "-0.500 +- 0.250");
         assert_eq!(uncertain(0.536, 700.0), "0.536 +- 700.000");
+        assert_eq!(uncertain(55.030_279_105_309_21, 1.3e-13), "5.503027910531e1 +- 1.3e-13");
+        assert_eq!(uncertain(3.21e-15, 1.1e-16), "3.21e-15 +- 1.1e-16");
+        assert_eq!(uncertain(3.214e20, 1.1e18), "3.214e20 +- 1.1e18");
     }
 }

@@ -4,6 +4,7 @@ use nalgebra::DMatrix;
 
 use super::intervals::Interval;
 use super::objective::{Objective, Solution};
+use super::told_together::{Combination, is_idle};
 use crate::input::Parameter;
 
 /// A fitted parameter. SI units.
@@ -54,6 +55,7 @@ pub fn estimates(
     solution: &Solution,
     covariance: &DMatrix<f64>,
     intervals: Vec<(Interval, Vec<(f64, f64)>)>,
+    together: &[(usize, usize, Combination)],
 ) -> Vec<Estimate> {
     let estimate = |(i, (found, walked)): (usize, (Interval, Vec<(f64, f64)>))| {
         let (variable, parameter) = (&objective.variables[i], &objective.parameters[i]);
@@ -73,13 +75,17 @@ pub fn estimates(
             f64::INFINITY
         };
         let mut warnings = Vec::new();
-        let at_bound = position <= variable.low || position >= variable.high;
+        let is_open = interval.low.is_none() || interval.high.is_none();
+        let is_idle = variable.prior.is_none() && is_open && is_idle(objective, solution, i);
+        // Where nothing depends on it, it stands wherever the search happened to leave it.
+        let at_bound = !is_idle && (position <= variable.low || position >= variable.high);
         if at_bound {
             warnings.push("stands at its bound".to_string());
         }
-        if interval.low.is_none() || interval.high.is_none() {
+        if is_open && !is_idle {
             warnings.push("the data leave its interval open".into());
         }
+        let is_told_together = together.iter().any(|(a, b, _)| *a == i || *b == i);
         match variable.prior {
             Some((written, prior)) if (value - written).abs() > CONFLICTING * prior => {
                 let times = (value - written).abs() / prior;
@@ -88,13 +94,13 @@ pub fn estimates(
             Some((_, prior)) if std >= prior * (1.0 - ROUND_OFF) && stands_alone(covariance, i) => {
                 warnings.push("no row depends on it: a column states it, or nothing measured hangs on it".into());
             }
+            None if is_idle => {
+                warnings.push("no row depends on it, whatever its value: give it one, or take it away".into());
+            }
             Some((_, prior)) if std > UNSHARPENED * prior => {
                 warnings.push("the data hardly add to what was known".into());
             }
-            None if !at_bound
-                && (interval.low.is_none() || interval.high.is_none())
-                && covariance[(i, i)].sqrt() * UNSEEN > variable.unit =>
-            {
+            None if !at_bound && is_open && !is_told_together && covariance[(i, i)].sqrt() * UNSEEN > variable.unit => {
                 warnings.push("the data cannot see it".into());
             }
             _ => {}

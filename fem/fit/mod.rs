@@ -16,6 +16,7 @@ mod sizes;
 mod spreading;
 pub(crate) mod starts;
 mod steps;
+mod told_together;
 
 pub use coarseness::Coarseness;
 pub use edits::{edits, five_digits, uncertain, uncertain_beside};
@@ -28,6 +29,7 @@ pub use search_variable::{SearchVariable, Usual};
 pub use sizes::{EstimatedSize, size_estimate};
 pub use starts::best;
 pub use steps::MOST_STARTS;
+pub use told_together::Combination;
 
 use nalgebra::DMatrix;
 
@@ -64,6 +66,9 @@ pub struct Fit {
     pub p_value: Option<f64>,
     /// Pairs of parameters (by position) with their correlation, where it is strong.
     pub correlated: Vec<(usize, usize, f64)>,
+    /// Pairs of parameters (by position) of which all rows tell one combination alone.
+    #[doc(hidden)]
+    pub told_together: Vec<(usize, usize, Combination)>,
     /// What is known of the values together, for whoever goes on with them.
     #[doc(hidden)]
     pub known: Known,
@@ -141,10 +146,12 @@ fn fitted(data: &Data) -> Result<Fit, Failure> {
 /// Makes the report of a minimum.
 pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats) -> Fit {
     let ProfiledMinimum { solution, covariance, intervals, profiles } = settled;
+    let is_open: Vec<bool> = intervals.iter().map(|i| i.low.is_none() || i.high.is_none()).collect();
+    let told_together = told_together::pairs(objective, &solution, &is_open);
     let intervals = intervals.into_iter().zip(profiles).collect();
     let residuals = objective.data.residuals(&solution.predicted);
     let (reduced_chi2, p_value) = reduced_chi2(objective, &solution, repeats);
-    let estimates = estimates::estimates(objective, &solution, &covariance, intervals);
+    let estimates = estimates::estimates(objective, &solution, &covariance, intervals, &told_together);
     let rms = rms(&objective.data.together(&residuals, &objective.noise.sigma));
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
     let known = Known::of(objective, &solution, &covariance);
@@ -154,6 +161,7 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
     Fit {
         doubts: doubts.unwrap_or_default(),
         correlated: strong.collect(),
+        told_together,
         known,
         estimates,
         sizes: Vec::new(),

@@ -76,7 +76,9 @@ struct Foot {
 
 impl Foot {
     fn of(cut: &Cut, [x, y]: [f64; 2]) -> Self {
-        let end = |spot: Spot, share: f64| Self { share, distance: (x - spot.x).hypot(y - spot.y) };
+        // Of millions of places; lengths of parts neither overflow nor vanish when they are squared.
+        let end =
+            |spot: Spot, share: f64| Self { share, distance: ((x - spot.x).powi(2) + (y - spot.y).powi(2)).sqrt() };
         match cut.shape {
             Shape::Line => {
                 let (dx, dy) = (cut.to.x - cut.from.x, cut.to.y - cut.from.y);

@@ -1,15 +1,21 @@
 //! Files as bytes and as text, of bounded size and known encoding.
 
+#[cfg(unix)]
+use std::fs::OpenOptions;
+use std::fs::{File, Metadata};
 use std::io::Read;
 use std::path::Path;
 use std::string::FromUtf8Error;
 use std::sync::Arc;
 use std::time::SystemTime;
+#[cfg(unix)]
+use std::time::{Duration, Instant};
 
 use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
 use encoding_rs::{BIG5, EUC_JP, Encoding, GBK, SHIFT_JIS, WINDOWS_1250, WINDOWS_1251, WINDOWS_1252};
 use sha2::{Digest, Sha256};
 
+use super::visible::{on_one_line, one_line};
 use super::{InputError, Problem, Source};
 
 impl Source {
@@ -58,6 +64,9 @@ impl Source {
         other: impl FnOnce(FromUtf8Error) -> Result<String, Problem>,
     ) -> Result<Self, InputError> {
         let name: Arc<str> = path.display().to_string().into();
+        if let Err(problem) = one_line(&name) {
+            return Err(InputError::one(Self::new(on_one_line(&name), ""), problem));
+        }
         let text = read(path, limit).and_then(|bytes| {
             let sha256: [u8; 32] = Sha256::digest(&bytes).into();
             let text = binary(&bytes).unwrap_or_else(|| String::from_utf8(bytes).or_else(other));
@@ -114,10 +123,80 @@ pub fn stamp(path: &Path) -> Option<Stamp> {
     Some((about.modified().ok()?, about.len()))
 }
 
+/// Refuses a pipe or a device that stands in a folder. What the program was started with, `/dev/stdin` or a substituted process,
+/// somebody writes to.
+///
+/// # Errors
+/// It is one.
+pub fn no_pipe(path: &Path, about: &Metadata) -> Result<(), Problem> {
+    match about.is_file() || about.is_dir() || is_handed_in(path) {
+        true => Ok(()),
+        false => Err(Problem::new("this is a pipe or a device").help("name a file")),
+    }
+}
+
+fn is_handed_in(path: &Path) -> bool {
+    let ways = ["/dev/stdin", "/dev/fd", "/proc/self/fd"];
+    ways.iter().any(|way| path.starts_with(way)) || path.canonicalize().is_err()
+}
+
+/// Opens a file to be read. What has become a pipe since it was looked at is not waited for.
+#[cfg(unix)]
+fn opened(path: &Path, about: &Metadata, limit: u64) -> std::io::Result<Vec<u8>> {
+    use std::os::unix::fs::{FileTypeExt, OpenOptionsExt};
+    let mut bytes = Vec::with_capacity(about.len() as usize + 1);
+    if is_handed_in(path) {
+        File::open(path)?.take(limit).read_to_end(&mut bytes)?;
+        return Ok(bytes);
+    }
+    let file =
+        OpenOptions::new().read(true).custom_flags(rustix::fs::OFlags::NONBLOCK.bits().cast_signed()).open(path)?;
+    let kind = file.metadata()?.file_type();
+    let mut file = file.take(limit);
+    match (kind.is_file(), kind.is_fifo()) {
+        (true, _) => drop(file.read_to_end(&mut bytes)?),
+        (_, true) => from_writer(&mut file, &mut bytes)?,
+        _ => return Err(std::io::Error::other("it is a device, and no file")),
+    }
+    Ok(bytes)
+}
+
+#[cfg(not(unix))]
+fn opened(path: &Path, about: &Metadata, limit: u64) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::with_capacity(about.len() as usize + 1);
+    File::open(path)?.take(limit).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Reads a pipe that is opened without waiting: one to which nobody has written for a while nobody may ever write to.
+#[cfg(unix)]
+fn from_writer(pipe: &mut impl Read, bytes: &mut Vec<u8>) -> std::io::Result<()> {
+    const PATIENCE: Duration = Duration::from_secs(3);
+    let (begun, mut piece) = (Instant::now(), vec![0; 1 << 16]);
+    loop {
+        match pipe.read(&mut piece) {
+            Ok(0) if !bytes.is_empty() => return Ok(()),
+            Ok(0) if begun.elapsed() > PATIENCE => {
+                return Err(std::io::Error::other("it is a pipe, and nobody writes to it"));
+            }
+            Ok(0) => std::thread::sleep(PAUSE),
+            Ok(count) => bytes.extend(&piece[..count]),
+            // A writer has it open, and is not ready.
+            Err(error) if error.kind() == std::io::ErrorKind::WouldBlock => std::thread::sleep(PAUSE),
+            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
+        }
+    }
+}
+
+/// Pause between two looks at a pipe.
+#[cfg(unix)]
+const PAUSE: Duration = Duration::from_millis(5);
+
 /// Reads at most `limit` bytes.
 ///
 /// # Errors
-/// The file cannot be read, or is larger.
+/// The file cannot be read, is larger, or is none.
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Problem> {
     let io = |e: std::io::Error| Problem::new(format!("the file cannot be read: {e}")).help(unreadable(&e));
     let metadata = std::fs::metadata(path).map_err(io)?;
@@ -129,14 +208,25 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Problem> {
         let message = format!("the file has {size:.1} MB; at most {limit:.0} MB are read");
         return Err(Problem::new(message).help("is it the right file?"));
     }
-    let mut bytes = Vec::with_capacity(metadata.len() as usize + 1);
-    // A device or a pipe has no length to be judged by.
-    std::fs::File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes)).map_err(io)?;
+    // What is no file has no length to be judged by.
+    let bytes = opened(path, &metadata, limit + 1).map_err(io)?;
     if bytes.len() as u64 > limit {
         let message = format!("there are more than {:.0} MB to read", limit as f64 / 1e6);
         return Err(Problem::new(message).help("is it the right file?"));
     }
     Ok(bytes)
+}
+
+/// The text of a file; none of one that cannot be read, is a pipe, or no text.
+pub fn text_of(path: &Path) -> String {
+    /// Largest file that is looked at.
+    const LARGEST: u64 = 64_000_000;
+    std::fs::metadata(path)
+        .is_ok_and(|about| about.is_file())
+        .then(|| read(path, LARGEST).ok())
+        .flatten()
+        .and_then(|bytes| String::from_utf8(bytes).ok())
+        .unwrap_or_default()
 }
 
 /// The problem of a file that is not UTF-8 from byte `valid` on.

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use serde_json::json;
 
-use super::bytes::{not_text, read};
+use super::bytes::{no_pipe, not_text, read};
+use super::visible::{on_one_line, one_line};
 use super::{Cache, FileKey, Problem, Reader, Source};
 
 /// A file that a model names, and what it holds.
@@ -47,10 +48,10 @@ impl Reader<'_> {
         };
         self.keep_file(FileKey { written: written.into(), path: self.path_of(key).into() });
         let path = self.folder().join(written);
-        // A pipe without a writer would be waited for, and nobody told why.
-        if path.metadata().is_ok_and(|about| !about.is_file() && !about.is_dir()) {
-            let problem = Problem::new(format!("{}: this is a pipe or a device", path.display()));
-            self.refuse(problem.help("name a file").at(item.span()));
+        let refused = one_line(written).and_then(|()| path.metadata().map_or(Ok(()), |about| no_pipe(&path, &about)));
+        if let Err(Problem { message, help, .. }) = refused {
+            let problem = Problem::new(format!("{}: {message}", on_one_line(&path.to_string_lossy())));
+            self.refuse(Problem { help, ..problem }.at(item.span()));
             return None;
         }
         match self.kept::<Files>().get_or(path.clone(), |path| read(path, limit).map(Arc::from)) {

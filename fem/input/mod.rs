@@ -25,7 +25,7 @@ mod visible;
 mod written;
 
 pub use bounds::Bounds;
-pub use bytes::{Stamp, read as bytes_of, stamp};
+pub use bytes::{Stamp, read as bytes_of, stamp, text_of};
 pub use cells::{line_at, name_and_unit, no_csv, number, parted_by_commas};
 pub use damaged::{end_at_faults, unless_damaged};
 pub use doubt::{Doubt, Grows};
@@ -42,4 +42,4 @@ pub use reader::{FileKey, Found, Instead, Names, Reader, Shape, is_one_of, numbe
 pub use record::{Along, Record, Varying};
 pub use source::{Source, stem};
 pub use tables::read_tables;
-pub use visible::visible;
+pub use visible::{on_one_line, one_line, visible};

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::cells::on_line;
 use super::parted_by_commas;
 use super::{Cache, Field, NamedFile, Problem, Reader, did_you_mean, line_at, name_and_unit, no_csv, number};
-use crate::units::{Kind, Quantity, Unit};
+use crate::units::{Kind, Quantity, TEMPERATURE, Unit};
 
 /// Largest file, bytes: some million points.
 const LARGEST: u64 = 50_000_000;
@@ -227,6 +227,14 @@ fn read(file: &NamedFile, wanted: &[Wanted; 2]) -> Result<Record, Mistake> {
         for (value, (i, unit)) in point.iter_mut().zip(&columns) {
             let cell = number(row.get(*i).unwrap_or_default(), header.get(*i).unwrap_or_default());
             *value = cell.map_err(refuse)? * unit.factor + unit.offset;
+        }
+        if wanted[0].kind == TEMPERATURE && point[0] < 0.0 {
+            let problem = Problem::new(format!(
+                "`{}` is below absolute zero: {}",
+                wanted[0].name,
+                wanted[0].kind.format(point[0])
+            ));
+            return Err(refuse(problem.help("look at its sign and its unit")));
         }
         if let Some([before, _]) = points.last().filter(|last| last[0] >= point[0]) {
             let [now, before] = [point[0], *before].map(|x| wanted[0].kind.format(x));

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use super::Problem;
+
 /// A text with control characters as JSON writes them, for a name in a file may hold what recolours, clears or retitles a
 /// terminal. Line ends and tabs stay.
 pub fn visible(text: &str) -> Cow<'_, str> {
@@ -19,6 +21,32 @@ pub fn visible(text: &str) -> Cow<'_, str> {
         }
     }
     seen.into()
+}
+
+/// A name with all control characters as JSON writes them, line ends and tabs too: a line in which it stands is one line.
+pub fn on_one_line(name: &str) -> Cow<'_, str> {
+    if !name.contains(char::is_control) {
+        return name.into();
+    }
+    let shown = |letter: char| match letter.is_control() {
+        true => format!("\\u{:04x}", u32::from(letter)),
+        false => letter.to_string(),
+    };
+    name.chars().map(shown).collect::<String>().into()
+}
+
+/// Refuses the name of a file that would make lines of its own wherever it is shown.
+///
+/// # Errors
+/// There is a line end in it.
+pub fn one_line(name: &str) -> Result<(), Problem> {
+    match name.contains(['\n', '\r']) {
+        false => Ok(()),
+        true => {
+            let problem = Problem::new(format!("there is a line end in the name `{}`", on_one_line(name)));
+            Err(problem.help("rename the file: its name is shown as a part of a line"))
+        }
+    }
 }
 
 /// The same where places of bytes stay what they are.
@@ -41,6 +69,7 @@ mod tests {
     fn no_control_character_is_left_but_line_ends_and_tabs() {
         assert_eq!(visible("a\tb\r\nc\rd\u{1b}[2J\u{9b}1m\u{7f}"), "a\tb\r\nc\\u000dd\\u001b[2J\\u009b1m\\u007f");
         assert!(matches!(visible("plain µm"), Cow::Borrowed(_)));
+        assert_eq!(on_one_line("a\nfem: done\t\u{1b}"), "a\\u000afem: done\\u0009\\u001b");
         let own = "a\u{1b}\u{9b}\u{7f}ä\n";
         assert_eq!((visible_in_place(own).len(), &*visible_in_place(own)), (own.len(), "a?¿?ä\n"));
     }

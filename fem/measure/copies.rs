@@ -162,9 +162,10 @@ impl Measurements {
     }
 
     /// The same with readings that stand several times each once: with all that their uncertainties say together, as of a
-    /// row that was doubled with u·√2.
+    /// row that was doubled with u·√2; or with the one that all have, where that is as somebody wrote it and not as it was divided.
     fn told_once(self, (is_kept, times): &(Vec<bool>, usize), readings: &[usize]) -> Self {
-        let combined = self.uncertainty.as_ref().map(|u| {
+        let is_pasted = self.uncertainty.as_ref().is_none_or(|u| is_as_written(u, readings));
+        let combined = self.uncertainty.as_ref().filter(|_| !is_pasted).map(|u| {
             let (mut information, mut kept) = (vec![0.0; none(readings).len()], none(readings));
             for (row, level) in readings.iter().enumerate() {
                 information[*level] += u[row].powi(-2);
@@ -184,7 +185,10 @@ impl Measurements {
         let note = format!("each reading stands there {all}, equal to the last digit, {how}");
         let once = self.keeping(|row| is_kept[row]);
         let notes = once.notes.into_iter().chain([note]).collect();
-        Self { notes, uncertainty: combined, ..once }
+        match combined {
+            Some(_) => Self { notes, uncertainty: combined, ..once },
+            None => Self { notes, ..once },
+        }
     }
 
     /// Rows of blocks that repeat what stands above them, row for row.
@@ -247,6 +251,19 @@ fn of_equal(step: f64, sigma: f64) -> f64 {
     let spread = SQRT_2 * sigma;
     let reach = step / (SQRT_2 * spread);
     erf(reach) - (1.0 - (-reach * reach).exp()) / (reach * PI.sqrt())
+}
+
+/// Whether copies have one u each, and it is of few digits: √n times another one is of many.
+fn is_as_written(u: &Values, readings: &[usize]) -> bool {
+    /// Most digits of an uncertainty that somebody writes.
+    const MOST: usize = 4;
+    let mut of_level = vec![None; none(readings).len()];
+    readings.iter().enumerate().all(|(row, level)| {
+        let own = u[row];
+        let rounded: f64 = format!("{own:.*e}", MOST - 1).parse().unwrap_or(f64::NAN);
+        let is_short = (rounded / own - 1.0).abs() < 1e-9;
+        is_short && *of_level[*level].get_or_insert(own) == own
+    })
 }
 
 /// A count of zero for each level.

@@ -96,6 +96,12 @@ pub fn left_out(records: &mut Records) -> Option<String> {
     let what = rows[rows.len() - left_out].iter().find(|cell| !cell.is_empty()).cloned().unwrap_or_default();
     records.keep_first(count - left_out);
     let rows = if left_out == 1 { "row".to_string() } else { format!("{left_out} rows") };
+    if blank > 0 && summed == 0 {
+        return Some(format!(
+            "the last {rows} left out, from line {line} on: their first cell is empty, which all others fill, as where the \
+             readings are summed up; fill it where they are readings"
+        ));
+    }
     Some(format!("the last {rows} left out, from line {line} on (`{what}`): they sum up the readings"))
 }
 

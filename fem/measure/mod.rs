@@ -27,6 +27,7 @@ mod records;
 mod repeats;
 mod sheet;
 mod slips;
+mod spelled;
 mod stacked;
 mod table;
 mod thin;

@@ -57,6 +57,17 @@ pub fn read(source: &Source, parted: Parted, headings: Option<Option<usize>>) ->
     if whole.len() > LARGEST_TEXT {
         return Err(Problem::new("the file has more than 4 GB of text").help("part it, and name its parts"));
     }
+    if let Some(Some(line)) =
+        headings.filter(|line| line.is_some_and(|line| whole.lines().nth(line.saturating_sub(1)).is_none()))
+    {
+        let problem = Problem::new(format!(
+            "the headings cannot stand in line {line}: there are {} lines",
+            whole.lines().count()
+        ));
+        return Err(problem.help(
+            "say the line, from 1, that has the names of the columns: --header LINE; --header 0 where none has",
+        ));
+    }
     // Lines that were taken off hold no heading.
     let headings = headings.map(|line| line.map(|own| own - whole[..skipped].matches('\n').count().min(own)));
     let layout = layout::find(text, said, headings);

@@ -11,7 +11,7 @@ use super::reading::{self, Reading};
 use super::records::{Records, Refused};
 use super::sheet::{Parted, Sheet};
 use super::vocabulary::Vocabulary;
-use super::{actual, clock, footer, header, header_rows, stacked, wide, worded, words};
+use super::{actual, clock, footer, header, header_rows, spelled, stacked, wide, worded, words};
 use crate::input::{Problem, did_you_mean};
 use crate::process::{Holds, Words};
 use crate::units::{TIME, plain_unit};
@@ -78,8 +78,10 @@ fn read_as(file: &Exported, vocabulary: Vocabulary, said: &Reading) -> Result<Ta
         Parted::Workbook => (said.decimal.or(kept).map(|_| Decimal::Point), None),
         _ => (said.decimal, kept),
     };
+    spelled::minus_in_front(&mut sheet.records, &numeric, &file.source.text, &mut told);
     let marks = decimal::settle(&mut sheet.records, &numeric, sheet.separator, marks, &mut told);
     refused.add(marks.map_err(|problem| vec![problem])?);
+    spelled::degrees(&mut headings, &mut sheet.records, &numeric, &mut told);
     for (column, heading) in headings.iter_mut().enumerate().filter(|(_, heading)| is_time(heading, vocabulary)) {
         refused.add(clock::count(&mut sheet.records, column, heading, &mut notes));
     }

@@ -6,6 +6,7 @@ use super::answer::Answer;
 use super::block::{Block, Cell, Column, Table};
 use super::json::finite;
 use super::measurement::{self, files};
+use super::number;
 use crate::compare::SIGNIFICANCE;
 use crate::fit::{Estimate, Fit};
 use crate::model::Data;
@@ -31,7 +32,15 @@ impl Answer for FitAnswer<'_> {
         let columns = [Column::wide("parameter"), Column::new("value", 24), Column::remark("95 % interval", 0)];
         let rows = fit.estimates.iter().flat_map(|e| rows(e, false)).chain(sizes);
         blocks.push(Block::Table(Table::new(columns, rows)));
-        for (i, j, c) in &fit.correlated {
+        for (i, j, combination) in &fit.told_together {
+            let (a, b) = (&fit.estimates[*i].parameter.path, &fit.estimates[*j].parameter.path);
+            let word = combination.word();
+            blocks.push(Block::Lines(format!(
+                "\n  all rows depend on the {word} of {a} and {b} alone: give one of the two a value\n"
+            )));
+        }
+        let is_told = |pair: (usize, usize)| fit.told_together.iter().any(|(i, j, _)| (*i, *j) == pair);
+        for (i, j, c) in fit.correlated.iter().filter(|(i, j, _)| !is_told((*i, *j))) {
             let (a, b) = (&fit.estimates[*i].parameter.path, &fit.estimates[*j].parameter.path);
             blocks.push(Block::Lines(format!("\n  {a} and {b} can hardly be told apart (correlation {c:+.3})\n")));
         }
@@ -44,7 +53,7 @@ impl Answer for FitAnswer<'_> {
             None => "whether that is noise cannot be told without repeats or a column u",
         };
         let chi2 = Some(fit.reduced_chi2).filter(|chi2| chi2.is_finite());
-        let chi2 = chi2.map_or(String::new(), |chi2| format!(", chi2/dof {chi2:.3}"));
+        let chi2 = chi2.map_or(String::new(), |chi2| format!(", chi2/dof {}", number::fixed(chi2, 3)));
         let rms = kind.from_si(fit.rms);
         blocks.push(Block::Lines(format!("\n  rms {rms:.3} {}{chi2}: {verdict}\n", kind.unit)));
         if fit.failures > 0 {
@@ -75,6 +84,7 @@ impl Answer for FitAnswer<'_> {
             "parameters": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
             "sizes": fit.sizes.iter().map(|s| estimate(&s.estimate)).collect::<Vec<_>>(),
             "correlated": fit.correlated.iter().map(|(i, j, c)| json!([name(*i), name(*j), c])).collect::<Vec<_>>(),
+            "told_together": fit.told_together.iter().map(|(i, j, c)| json!([name(*i), name(*j), c.word()])).collect::<Vec<_>>(),
             "failed_trials": fit.failures,
             "evaluations": fit.evaluations,
             "cautions": cautions(data, fit).collect::<Vec<_>>(),

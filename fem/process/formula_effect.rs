@@ -36,6 +36,14 @@ impl FormulaLaw {
         Self { formula, meanings, adds_to }
     }
 
+    /// Columns that files record and that it names, by their positions, with the values (SI) where rows have none.
+    pub fn recorded(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.meanings.iter().filter_map(|meaning| match meaning {
+            Meaning::Recorded(column, usual) => Some((*column, *usual)),
+            _ => None,
+        })
+    }
+
     /// Whether values of a parameter (SI) that differ by `period` are the same, as phases are: tried at a few places.
     pub fn repeats_after(&self, parameter: usize, period: f64) -> bool {
         let own = self.meanings.iter().position(|m| *m == Meaning::Parameter(parameter));

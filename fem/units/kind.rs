@@ -136,7 +136,13 @@ impl Kind {
     pub fn format(&self, si: f64) -> String {
         let number = self.from_si(si);
         let number: f64 = format!("{number:.5e}").parse().unwrap_or(number);
-        format!("{number} {}", self.unit).trim_end().to_string()
+        // Rows of zeros are not counted by anybody.
+        match number == 0.0 || (1e-9..1e12).contains(&number.abs()) {
+            true => format!("{number} {}", self.unit),
+            false => format!("{number:e} {}", self.unit),
+        }
+        .trim_end()
+        .to_string()
     }
 
     /// Reads a unit and checks that it measures this kind.

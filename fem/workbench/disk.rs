@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use super::refusal::Refusal;
-use crate::input::{Stamp, stamp};
+use crate::input::{Stamp, stamp, text_of};
 
 /// Texts of models and stamps of files, each by the name of the file.
 #[derive(Default)]
@@ -50,7 +50,7 @@ impl Disk {
     /// # Errors
     /// Somebody else has written it, and this is the first time that it is said.
     pub fn check(&mut self, folder: &Path, name: &str) -> Result<(), Refusal> {
-        let text = std::fs::read_to_string(folder.join(name)).unwrap_or_default();
+        let text = text_of(&folder.join(name));
         if text.is_empty() || self.texts.get(name) == Some(&text) || self.warned.as_ref() == Some(&text) {
             return Ok(());
         }

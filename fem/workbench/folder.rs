@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::refusal::Refusal;
+use crate::input::on_one_line;
 use crate::model::Model;
 use crate::output::files::{self, Guard};
 
@@ -70,9 +71,14 @@ impl Folder {
     /// A name of a file here: no way out, nothing hidden.
     fn name(name: &str) -> Result<&str, Refusal> {
         let is_name = Path::new(name).file_name().is_some_and(|own| own == name) && !name.contains(['\\', '\0', ':']);
-        match is_name && !name.starts_with('.') && name.len() < 200 {
+        // A line end in a name would make lines of its own wherever the name is shown.
+        let is_plain = !name.starts_with('.') && name.len() < 200 && !name.contains(char::is_control);
+        match is_name && is_plain {
             true => Ok(name),
-            false => Err(Refusal::new(format!("`{name}` is no name of a file here"), "name a file of this folder")),
+            false => {
+                let problem = format!("`{}` is no name of a file here", on_one_line(name));
+                Err(Refusal::new(problem, "name a file of this folder, without control characters"))
+            }
         }
     }
 

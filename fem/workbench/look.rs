@@ -1,6 +1,7 @@
 //! Files that are changed elsewhere while they are open: the page follows, and a wrong file keeps what was.
 
 use super::session::Session;
+use crate::input::text_of;
 
 impl Session {
     /// Looks at the files that are open.
@@ -18,10 +19,14 @@ impl Session {
             return;
         }
         let path = self.folder.path().join(&name);
-        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        let text = text_of(&path);
         self.disk.found(&name, !text.is_empty());
         if text.is_empty() {
-            let how = if path.exists() { "empty now" } else { "gone" };
+            let how = match path.metadata() {
+                Ok(about) if about.is_file() => "empty now",
+                Ok(_) => "no file any more",
+                Err(_) => "gone",
+            };
             return self.tell(Some(format!("{name} is {how}, and what was open stays: save it to write it again")));
         }
         if text == own || self.disk.has(&name, &text) {

@@ -9,7 +9,7 @@ use super::bench::Bench;
 use super::refusal::Refusal;
 use super::session::Session;
 use super::told;
-use crate::input::Source;
+use crate::input::{Source, text_of};
 use crate::measure::Measurements;
 use crate::model::Draft;
 
@@ -85,7 +85,7 @@ impl Session {
         };
         next.compare();
         next.note(next.file.clone());
-        self.disk.note(&next.file, std::fs::read_to_string(&own).unwrap_or_default());
+        self.disk.note(&next.file, text_of(&own));
         self.disk.is_other(self.folder.path(), &next.file);
         self.trouble = lost;
         self.step("take up the last session", None, next);

@@ -66,6 +66,22 @@ fn copies_and_parted_files_tell_what_the_file_tells() {
 }
 
 #[test]
+fn rows_that_were_pasted_with_their_u_are_counted_once() {
+    let (place, lines) = story();
+    let (header, rows) = lines.split_first().unwrap();
+    let (whole, _) = compared(&place, &["m.csv"]);
+    let twice: Vec<&String> = rows.iter().flat_map(|row| [row, row]).collect();
+    let behind: Vec<&String> = rows.iter().chain(rows).collect();
+    for doubled in [twice, behind] {
+        let text: String = doubled.into_iter().map(|row| format!("{row}\n")).collect();
+        place.write("doubled.csv", format!("{header}\n{text}"));
+        let (found, notes) = compared(&place, &["doubled.csv"]);
+        assert!(are_alike(&found, &whole), "{found:#} {whole:#}");
+        assert!(notes.iter().any(|told| told.contains("counted once")), "{notes:?}");
+    }
+}
+
+#[test]
 fn doubled_rows_tell_together_what_one_tells() {
     let (place, lines) = story();
     let (header, rows) = lines.split_first().unwrap();

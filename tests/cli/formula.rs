@@ -51,3 +51,45 @@ fn what_is_no_quantity_of_the_model_is_refused_at_its_place() {
         assert!(refused.err.contains("axis.toml:") && refused.err.contains("formula = "), "{}", refused.err);
     }
 }
+
+/// A model whose only effect is a formula of unknowns, fitted to a straight line.
+fn fitted_line(formula: &str, unknowns: &str) -> String {
+    let place = Place::new();
+    let ideal = model("axis.toml");
+    let ideal = ideal.split("[effects").next().unwrap_or_default();
+    place.write("axis.toml", format!("{ideal}\n[effects.line]\nformula = \"{formula}\"\n{unknowns}"));
+    let row = |k: i32| {
+        let position = 6.3 * f64::from(k);
+        let noise = 0.1 * f64::from(k % 5 - 2) / 2.0_f64.sqrt();
+        format!("1,{position},+,{:.5},0.1\n", 0.02 * position + noise)
+    };
+    let rows: String = (0..60).map(row).collect();
+    place.write("measured.csv", format!("run,position [mm],direction,deviation [um],u [um]\n{rows}"));
+    place.fem(&["fit", "axis.toml", "--with", "measured.csv"]).out
+}
+
+#[test]
+fn an_unknown_on_which_nothing_depends_is_told() {
+    let told = fitted_line("a*0", "a = \"? um\"\n");
+    assert!(told.contains("no row depends on it, whatever its value"), "{told}");
+    assert!(!told.contains("stands at its bound") && !told.contains("leave its interval open"), "{told}");
+    let told = fitted_line("a*position/screw.lead", "a = \"? um\"\n");
+    assert!(!told.contains("no row depends"), "{told}");
+}
+
+#[test]
+fn unknowns_of_which_rows_hold_one_combination_are_told() {
+    let said = |word: &str, other: &str| {
+        format!("all rows depend on the {word} of effects.line.a and effects.line.{other} alone: give one of the two")
+    };
+    for (formula, unknowns, word) in [
+        ("a*position/b", "a = \"? um\"\nb = \"? mm\"\n", "quotient"),
+        ("a*b*position/screw.lead", "a = \"? um\"\nb = \"?\"\n", "product"),
+        ("a + b", "a = \"? um\"\nb = \"? um\"\n", "sum"),
+    ] {
+        let told = fitted_line(formula, unknowns);
+        assert!(told.contains(&said(word, "b")) && !told.contains("the data cannot see it"), "{formula}: {told}");
+    }
+    let told = fitted_line("a*position/screw.lead + b", "a = \"? um\"\nb = \"? um\"\n");
+    assert!(!told.contains("all rows depend"), "{told}");
+}

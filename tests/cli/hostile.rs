@@ -358,6 +358,53 @@ fn a_device_or_a_pipe_is_no_place_for_a_file() {
 }
 
 #[test]
+fn a_pipe_to_which_nobody_writes_is_not_waited_for() {
+    let place = Place::new();
+    std::process::Command::new("mkfifo").arg(place.path("pipe.toml")).status().unwrap();
+    place.write("model.toml", MODEL);
+    place.write("measured.csv", MEASURED);
+    for args in [
+        &["run", "pipe.toml"][..],
+        &["compare", "pipe.toml", "--with", "measured.csv"],
+        &["compare", "model.toml", "--with", "pipe.toml"],
+        &["budget", "pipe.toml"],
+        &["study", "pipe.toml", "-o", "out"],
+    ] {
+        let answer = place.fem(args);
+        assert!(answer.status == 2 && answer.err.contains("a pipe, and nobody writes"), "{args:?}: {}", answer.err);
+    }
+    // What the program is started with is read.
+    let mut command = place.command(&["run", "/dev/stdin", "-o", "out"]);
+    command.stdin(fs::File::open(place.path("model.toml")).unwrap());
+    assert_eq!(command.output().unwrap().status.code(), Some(0));
+    let mut command = place.command(&["run", "/dev/stdin", "-o", "other"]);
+    let mut child = command.stdin(std::process::Stdio::piped()).spawn().unwrap();
+    std::io::Write::write_all(&mut child.stdin.take().unwrap(), MODEL.as_bytes()).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+}
+
+#[test]
+fn the_name_of_a_file_makes_no_lines_of_its_own() {
+    let place = Place::new();
+    let name = "a\nwritten model.toml: all is well\n.toml";
+    place.write(name, MODEL);
+    place.write("model.toml", MODEL);
+    for args in [&["run", name][..], &["run", "model.toml", "-o", name], &["compare", "model.toml", "--with", name]] {
+        let answer = place.fem(args);
+        let lines = answer.out.lines().chain(answer.err.lines());
+        assert!(answer.status == 2 && answer.err.contains("there is a line end in the name"), "{}", answer.err);
+        assert!(!lines.into_iter().any(|line| line.starts_with("written")), "{}", answer.err);
+    }
+    assert!(!place.fem(&[]).out.contains("all is well"));
+    // Of others a page shows what a terminal does not obey.
+    let name = "b\u{1b}[2J.toml";
+    place.write(name, MODEL);
+    assert_eq!(place.fem(&["report", name, "-o", "page.html"]).status, 0);
+    let page = place.read("page.html");
+    assert!(page.contains("b\\u001b[2J") && !page.contains(|c: char| c.is_control() && c != '\n'), "{page}");
+}
+
+#[test]
 fn a_page_is_replaced_by_a_newer_one_alone() {
     let place = Place::new();
     place.write("model.toml", MODEL);

@@ -396,3 +396,47 @@ fn a_measured_diameter_is_known_by_its_sign() {
     assert_eq!(answer.status, 0, "{}", answer.err);
     assert!(place.read("taken.csv").contains("1,99.5,50.016"), "{}", place.read("taken.csv"));
 }
+
+#[test]
+fn columns_that_are_not_written_are_told() {
+    let place = Place::new();
+    let rows: String = [20.1, 22.3, 19.7, 21.1, 23.9, 20.2]
+        .iter()
+        .enumerate()
+        .map(|(i, coolant)| format!("1,{},300,3{i},1,{coolant}\n", 40 * (i + 1)))
+        .collect();
+    place.write("m.csv", format!("part,x [mm],radial_force [N],diameter_error [um],u [um],coolant [degC]\n{rows}"));
+    let written = place.fem(&["import", "m.csv", "-o", "own.csv"]);
+    assert!(written.status == 0 && written.err.contains("the column `coolant` not written"), "{}", written.err);
+    assert!(!place.read("own.csv").contains("coolant"));
+}
+
+#[test]
+fn headings_beyond_the_end_of_a_file_are_refused() {
+    let place = Place::new();
+    place.write("m.csv", "part,x [mm],diameter_error [um]\n1,20,3\n1,40,4\n");
+    let args = ["import", "m.csv", "--process", "turning", "--header", "99", "-o", "own.csv"];
+    place.is_refused(&args, "line 99", ("cannot stand in line 99: there are 3 lines", "--header 0 where none has"));
+}
+
+#[test]
+fn a_minus_may_stand_behind_its_number() {
+    let place = Place::new();
+    place.write(
+        "m.csv",
+        "part;x [mm];diameter_error [um]\n1;20;5,1-\n1;60;7,2\n1;100;3,3-\n1;140;2,1\n1;180;0,5-\n1;220;9,9\n",
+    );
+    let written = place.fem(&["import", "m.csv", "--process", "turning", "-o", "own.csv"]);
+    assert!(written.status == 0 && written.err.contains("the minus of `5,1-`"), "{}", written.err);
+    assert_eq!(place.column("own.csv", "diameter_error"), [-5.1, 7.2, -3.3, 2.1, -0.5, 9.9]);
+}
+
+#[test]
+fn angles_may_have_minutes_and_seconds() {
+    let place = Place::new();
+    let rows = "0°0'0\",1,+,1\n30°15'36\",2,+,1\n60°30',3,+,1\n90°0'18\",2,+,1\n";
+    place.write("m.csv", format!("angle,deviation [arcsec],direction,run\n{rows}"));
+    let written = place.fem(&["import", "m.csv", "--process", "rotary", "-o", "own.csv"]);
+    assert!(written.status == 0 && written.err.contains("`angle` in degrees, minutes and seconds"), "{}", written.err);
+    assert_eq!(place.column("own.csv", "angle"), [0.0, 30.26, 60.5, 90.005]);
+}

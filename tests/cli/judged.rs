@@ -42,6 +42,36 @@ fn rows_that_are_too_few_or_too_equal_give_no_verdict() {
 }
 
 #[test]
+fn a_row_or_two_tell_no_cause_however_well_they_are_known() {
+    let place = Place::new();
+    place.write("rigid.toml", model("story/rigid.toml"));
+    let head = "part,x [mm],radial_force [N],diameter_error [um],u [um]\n";
+    for (rows, said) in
+        [("1,200,300,90,1\n", "one row tells no cause"), ("1,200,300,90,1\n1,50,300,9,1\n", "2 rows tell")]
+    {
+        place.write("m.csv", format!("{head}{rows}"));
+        let found = json(&place, &["diagnose", "rigid.toml", "--with", "m.csv"]);
+        assert_eq!(found["verdict"], "not-judged", "{found:#}");
+        let told = place.fem(&["diagnose", "rigid.toml", "--with", "m.csv"]).out;
+        assert!(told.contains(said) && !told.contains("unexplained") && !told.contains("ruled out"), "{told}");
+    }
+}
+
+#[test]
+fn rows_that_are_left_out_for_their_first_cell_are_told() {
+    let place = Place::new();
+    place.write("rigid.toml", model("story/rigid.toml"));
+    let row = |i: usize| format!("1,{},300,{},1\n", 40 * i, 30 + i);
+    let rows: String = (1..9).map(row).collect();
+    place.write(
+        "m.csv",
+        format!("part,x [mm],radial_force [N],diameter_error [um],u [um]\n{rows},340,300,40,1\n,350,300,5,1\n"),
+    );
+    let told = place.fem(&["compare", "rigid.toml", "--with", "m.csv"]).err;
+    assert!(told.contains("the last 2 rows left out, from line 10 on: their first cell is empty"), "{told}");
+}
+
+#[test]
 fn effects_that_were_not_tried_are_not_said_to_be_none() {
     let place = Place::new();
     place.write("rigid.toml", model("story/rigid.toml"));

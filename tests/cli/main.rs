@@ -26,6 +26,7 @@ mod formula;
 mod hostile;
 mod import;
 mod judged;
+mod limits;
 mod machine;
 mod measurement;
 mod mesh_file;

@@ -87,6 +87,26 @@ fn a_formula_may_name_it() {
 }
 
 #[test]
+fn a_model_that_is_written_runs() {
+    let place = Place::new();
+    place.write("axis.toml", ideal() + LAW);
+    place.write("measured.csv", measured());
+    let fitted = place.fem(&["fit", "axis.toml", "--with", "measured.csv", "--add-to", "fitted.toml"]);
+    assert!(fitted.err.contains("note: [recorded] has room = \"21"), "{}", fitted.err);
+    assert!(place.read("fitted.toml").contains("[recorded]\nroom = \"21"), "{}", place.read("fitted.toml"));
+    let run = place.fem(&["run", "fitted.toml"]);
+    assert_eq!(run.status, 0, "{}", run.err);
+    // What the model says itself stays.
+    place.write("axis.toml", ideal() + LAW + "[recorded]\nroom = \"24 degC\"\n");
+    let fitted = place.fem(&["fit", "axis.toml", "--with", "measured.csv", "--add-to", "own.toml"]);
+    assert!(!fitted.err.contains("[recorded]") && place.read("own.toml").contains("room = \"24 degC\""));
+    place.write("axis.toml", ideal());
+    let law = ["formula=a*(room - t0)", "a=? um/K", "t0=20 degC", "--with", "measured.csv", "-o", "added.toml"];
+    let added = place.fem(&[&["add", "axis.toml", "reading"], &law[..]].concat());
+    assert!(added.status == 0 && added.err.contains("note: [recorded] has room = \"21"), "{}", added.err);
+}
+
+#[test]
 fn where_rows_do_not_have_it_the_model_says_what_it_is() {
     let place = Place::new();
     let known = LAW.replace("\"? um/K\"", "\"2.75 um/K\"");

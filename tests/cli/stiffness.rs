@@ -173,3 +173,23 @@ fn a_reversed_force_that_friction_holds_does_no_work() {
     assert_eq!(ran.status, 0, "{}", ran.err);
     assert!(ran.out.contains("work of friction         0.0 uJ") && !ran.out.contains("-0.0 uJ"), "{}", ran.out);
 }
+
+#[test]
+fn fitted_values_with_which_nothing_runs_are_told_and_not_written() {
+    let place = Place::new();
+    let far = model("stiffness.toml").replace("70 +- 5 N/um", "70 +- 15 N/um").replace("1200 N", "1e9 N");
+    assert!(far.contains("1e9 N"), "{far}");
+    place.write("joint.toml", far);
+    let row = |force: f64, way: &str| format!("{force},{way},{:.4},0.1\n", force / 60.0 + 0.15 * force.sqrt());
+    let rows: String =
+        (0..=20).map(|k| row(50.0 * f64::from(k), "load") + &row(50.0 * f64::from(k), "unload")).collect();
+    place.write("measured.csv", format!("force [N],direction,displacement [um],u [um]\n{rows}"));
+    let fitted = place.fem(&["fit", "joint.toml", "--with", "measured.csv", "--add-to", "fitted.toml"]);
+    assert_eq!(fitted.status, 1, "{}", fitted.err);
+    assert!(
+        fitted.err.contains("cannot be run, and is not written") && fitted.err.contains("no joint"),
+        "{}",
+        fitted.err
+    );
+    assert!(fitted.out.contains("joint.stiffness") && !place.path("fitted.toml").exists(), "{}", fitted.out);
+}

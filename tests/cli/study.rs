@@ -332,6 +332,43 @@ fn fits_and_diagnoses_are_those_of_the_commands() {
 }
 
 #[test]
+fn rows_that_were_altered_are_not_believed() {
+    let place = place("type = \"random\"\nsamples = 40", "");
+    let study = |more: &[&str]| place.fem(&[&["study", "plan.toml", "-o", "out"], more].concat());
+    assert_eq!(study(&[]).status, 0);
+    let whole = place.read("out/rows.csv");
+    let lines: Vec<&str> = whole.split_inclusive('\n').collect();
+    // Another number, no number, two rows exchanged, the last one gone.
+    let cells: Vec<&str> = lines[7].split(',').collect();
+    let other = |cell: &str| lines[7].replacen(cells[2], cell, 1);
+    let altered = |line: &str| [&lines[..7], &[line], &lines[8..]].concat().concat();
+    let exchanged = [&lines[..7], &[lines[8], lines[7]], &lines[9..]].concat().concat();
+    for text in [altered(&other("1.5")), altered(&other("nan")), exchanged, lines[..40].concat()] {
+        place.write("out/rows.csv", &text);
+        let refused = study(&[]);
+        assert!(refused.status == 2 && refused.err.contains("is not as it was written"), "{}", refused.err);
+        assert_eq!(place.read("out/rows.csv"), text);
+    }
+    assert_eq!(study(&["--restart"]).status, 0);
+    assert_eq!(place.read("out/rows.csv"), whole);
+    // Unfinished ones are computed again from there on.
+    std::fs::remove_file(place.path("out/rows.csv")).unwrap();
+    place.write("out/rows.partial.csv", altered(&other("1.5")));
+    let again = study(&[]);
+    assert!(again.status == 0 && again.err.contains("note: row 7 in out was not as it was written"), "{}", again.err);
+    assert_eq!(place.read("out/rows.csv"), whole);
+    // A shard is asked too.
+    for shard in ["1/2", "2/2"] {
+        let folder = &shard[..1];
+        assert_eq!(place.fem(&["study", "plan.toml", "-o", folder, "--shard", shard]).status, 0);
+    }
+    let second = place.read("2/rows.csv");
+    place.write("2/rows.csv", second.replacen("\n22,", "\n22,1", 1));
+    let merged = place.fem(&["study", "merge", "1", "2", "-o", "merged"]);
+    assert!(merged.status == 2 && merged.err.contains("row 22 of shard 2/2"), "{}", merged.err);
+}
+
+#[test]
 fn what_was_begun_otherwise_is_refused() {
     let place = place("samples = 20", "");
     let name = figure(&place);

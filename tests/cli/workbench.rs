@@ -447,6 +447,8 @@ fn nobody_else_gets_in_and_nothing_else_gets_out() {
         (&state, &format!("attacker.example:{port}"), "", 403),
         (&state, &own, "Origin: http://attacker.example\r\n", 403),
         (&state, &own, "Origin: null\r\n", 403),
+        (&state, &own, "Host: attacker.example\r\n", 403),
+        (&state, &own, &format!("Host: {own}\r\n"), 403),
         (&format!("/{token}/../../etc/passwd"), &own, "", 404),
         (&format!("/{token}/%2e%2e/Cargo.toml"), &own, "", 404),
         (&format!("/{token}/no-such.js"), &own, "", 404),
@@ -459,6 +461,10 @@ fn nobody_else_gets_in_and_nothing_else_gets_out() {
         );
     }
     assert_eq!(bench.ask("DELETE", "state", "", b"").0, 405);
+    for name in ["a%0Ab.csv", "a%1B[2Jb.csv", "a%7Fb.csv"] {
+        let (status, _, answer) = bench.ask("POST", &format!("file?name={name}"), "", b"part,x [mm]\n");
+        assert!(status == 422 && !answer.contains(&0x1b), "{name}: {status}");
+    }
     // Neither by a link nor by a model.
     let listed = bench.state()["measurements"].clone();
     assert!(!listed.as_array().unwrap().contains(&json!("link.csv")), "{listed}");

@@ -3,7 +3,7 @@
 
 use super::kinds::is_grouped;
 use super::words::percent;
-use crate::diagnose::{Diagnosis, Outlook, RULED_OUT};
+use crate::diagnose::{Diagnosis, Outlook, RULED_OUT, Verdict};
 use crate::input::Grows;
 use crate::output::block::Block;
 use crate::output::fit::Short;
@@ -12,7 +12,7 @@ use crate::process::{Description, Neutral, ON_TRIAL, Parameter};
 
 /// Effects that are not there.
 pub struct Absent<'d> {
-    /// Those that would have been seen; none while structure remains, which may hide effects.
+    /// Those that would have been seen; none while structure remains, which may hide effects, or where nothing is judged.
     pub ruled_out: Vec<&'d Outlook>,
     /// Those that these data could not show.
     pub unseen: Vec<&'d Outlook>,
@@ -33,7 +33,8 @@ impl<'d> Absent<'d> {
         let would_show = |c: &&Outlook| c.detection_limit.as_ref().is_some_and(|v| v.detectable);
         let (mut ruled_out, unseen): (Vec<&Outlook>, Vec<&Outlook>) =
             d.candidates.iter().filter(is_absent).partition(would_show);
-        if d.leaves_structure() {
+        // Of rows that tell nothing of the model nothing is ruled out either.
+        if d.leaves_structure() || d.verdict == Verdict::NotJudged {
             ruled_out.clear();
         }
         Self { ruled_out, unseen }
@@ -83,6 +84,9 @@ pub fn note(outlook: &Outlook, d: &Diagnosis) -> String {
         return format!("may be there: {}", percent(outlook.probability));
     }
     let Some(v) = &outlook.detection_limit else { return "it cannot be computed here".into() };
+    if d.verdict == Verdict::NotJudged && v.detectable {
+        return "not judged".into();
+    }
     if d.leaves_structure() && v.detectable {
         return "not judged while structure remains".into();
     }

@@ -24,6 +24,13 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
         Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
         Verdict::NotJudged => {
             let left = errors(data, &d.before);
+            if data.uncertainty.is_some() {
+                let rows =
+                    if data.len() == 1 { "one row tells".to_string() } else { format!("{} rows tell", data.len()) };
+                return format!(
+                    "not judged: {rows} no cause from another: the model is off by {left}; measure at further places"
+                );
+            }
             format!("{NOT_JUDGED}: the model is off by {left}; repeat rows, or give the column")
         }
         Verdict::MissingEffect => match fall(data, d) {

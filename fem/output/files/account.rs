@@ -37,6 +37,10 @@ impl Account {
         }
         make_folder(&folder)?;
         let path = folder.join(KEY);
+        // One of a disk that was full, or lost its power, is none.
+        if path.symlink_metadata().is_ok_and(|about| about.is_file() && about.len() == 0 && is_ours(&about)) {
+            std::fs::remove_file(&path)?;
+        }
         if path.symlink_metadata().is_err() {
             make(&folder, &path)?;
         }

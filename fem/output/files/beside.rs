@@ -13,7 +13,7 @@ use cap_fs_ext::DirExt;
 use cap_std::fs::Dir;
 
 use super::account::Account;
-use super::work::{Work, hidden};
+use super::work::{Work, hidden, is_hidden};
 
 /// Hidden folders being written, for [`abandon`], by their names, with the folder in which each stands and its note.
 /// Whoever makes a hidden folder holds the lock until it stands here, so that none can be made behind the back of a
@@ -50,6 +50,7 @@ impl Beside {
     /// # Errors
     /// The folder cannot be written.
     pub fn new_in(above: &Dir, path: &Path, account: Option<&Account>) -> io::Result<Self> {
+        sweep_empty(above);
         let name = hidden()?;
         let mut partial = partial();
         let work = account.and_then(|account| Work::begin(account, &path.join(&name)).ok());
@@ -78,6 +79,24 @@ impl Beside {
     /// Says that another folder stands under its name, which is not for this one to remove.
     pub fn exchanged(&mut self) {
         self.is_exchanged = true;
+    }
+}
+
+/// Removes hidden folders in which nothing stands, left by programs that were killed where no note could be written. One that
+/// somebody may just have made is left.
+fn sweep_empty(above: &Dir) {
+    const AGE: Duration = Duration::from_secs(3600);
+    for entry in above.entries().into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let is_old = || {
+            let about = above.symlink_metadata(&name).ok()?;
+            let age = about.modified().ok()?.into_std().elapsed().ok()?;
+            Some(about.is_dir() && age > AGE)
+        };
+        if name.to_str().is_some_and(is_hidden) && is_old() == Some(true) {
+            // Of one with something in it nobody knows whose that is.
+            let _ = above.remove_dir(&name);
+        }
     }
 }
 

@@ -20,7 +20,10 @@ pub use page::{page_guard, sealed, write_page};
 pub use single::write;
 pub use stage::Stage;
 
+/// Names of files that the program keeps in folders of results.
+pub(crate) const OWN: [&str; 3] = [written::LIST, ".fem-study.json", ".fem-rows.sums"];
+
 pub(super) use account::Account;
 pub(crate) use account::digits;
-pub(super) use way::{Way, reader};
+pub(super) use way::{Way, open as folder_at, reader};
 pub(super) use written::read_plain;

@@ -21,6 +21,7 @@ use super::run::RunAnswer;
 use super::text::micro;
 use super::{comparison, diagnosis};
 use crate::diagnose::Verdict;
+use crate::input::visible;
 
 #[derive(Template)]
 #[template(path = "report.html")]
@@ -83,8 +84,9 @@ pub fn page(subject: &Subject, live: Option<u64>) -> String {
         version: env!("CARGO_PKG_VERSION"),
         live,
     };
-    // A template writes into memory, which does not fail.
-    page.render().unwrap_or_default()
+    // A template writes into memory, which does not fail. A name may hold what a terminal obeys, to which the page is written
+    // too by whoever prints it.
+    visible(&page.render().unwrap_or_default()).into_owned()
 }
 
 /// All sections that say something.

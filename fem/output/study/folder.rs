@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use cap_fs_ext::{FollowSymlinks, MetadataExt, OpenOptionsFollowExt};
 use cap_std::fs::{Dir, OpenOptions};
 
+use super::sums::{self, Sums};
 use super::{layout, rows};
 use crate::input::Problem;
 use crate::output::OutputError;
@@ -57,7 +58,9 @@ pub struct StudyFolder {
     jobs: Range<u64>,
     next: u64,
     /// Rows that are not finished; `None` where all are.
-    out: Option<BufWriter<File>>,
+    out: Option<(BufWriter<File>, sums::Writer)>,
+    /// Number of the first job, from 1, whose row was not as it was written, where one was not.
+    altered: Option<u64>,
     written: Instant,
     synced: Instant,
     /// Held as long as somebody works here.
@@ -81,7 +84,7 @@ impl StudyFolder {
         let failed = |name: &str| OutputError::at(&at(name));
         let dir = Way::to(directory, reads)?.make().map_err(failed(""))?;
         let lock = lock(&dir, directory)?;
-        for name in [ROWS, PARTIAL, layout::FILE] {
+        for name in [ROWS, PARTIAL, layout::FILE, sums::FILE] {
             Guard { reads, force: true }.check(&at(name))?;
         }
         let account = Account::open().ok();
@@ -101,7 +104,7 @@ impl StudyFolder {
                 }
             }
             Some(_) if earlier.restart => {
-                for name in [ROWS, PARTIAL].iter().filter(|name| stands(name)) {
+                for name in [ROWS, PARTIAL, sums::FILE].iter().filter(|name| stands(name)) {
                     dir.remove_file(name).map_err(failed(name))?;
                 }
             }
@@ -118,14 +121,19 @@ impl StudyFolder {
             next: jobs.end,
             jobs,
             out: None,
+            altered: None,
             written: now,
             synced: now,
             _lock: lock,
         };
         if !stands_in(&folder.dir, ROWS) {
             let resumed = resume(&folder.dir, layout, folder.jobs.start).map_err(failed(PARTIAL))?;
-            folder.next = resumed.1;
-            folder.out = Some(BufWriter::with_capacity(1 << 16, resumed.0));
+            (folder.next, folder.altered) = (resumed.next, resumed.altered);
+            folder.out = Some((BufWriter::with_capacity(1 << 16, resumed.file), resumed.sums));
+        } else if let Some(job) = altered(directory, &folder.dir, folder.jobs.start).map_err(failed(ROWS))? {
+            let message = format!("row {job} in {} is not as it was written", at(ROWS).display());
+            let help = "put the file back as it was, or have all rows computed again (--restart, restart=True)";
+            return Err(StudyError::Refused(Problem::new(message).help(help)));
         }
         Ok(folder)
     }
@@ -133,6 +141,11 @@ impl StudyFolder {
     /// Number of the first job that is not done, from 0.
     pub fn next(&self) -> u64 {
         self.next
+    }
+
+    /// Number of the first job, from 1, whose unfinished row was not as it was written: it is computed again, with all behind it.
+    pub fn altered(&self) -> Option<u64> {
+        self.altered
     }
 
     /// Its jobs, from 0.
@@ -146,11 +159,15 @@ impl StudyFolder {
     /// It cannot be written.
     pub fn append(&mut self, line: &[u8]) -> Result<(), OutputError> {
         let failed = OutputError::at(&self.directory.join(PARTIAL));
-        let Some(out) = &mut self.out else { return Ok(()) };
-        out.write_all(line).map_err(&failed)?;
+        let Some((out, sums)) = &mut self.out else { return Ok(()) };
+        // What does not fit into the buffer goes on to the file, and its sum has to be there.
+        if out.buffer().len() + line.len() > out.capacity() {
+            sums.flush().map_err(&failed)?;
+        }
+        out.write_all(line).and_then(|()| sums.add(line)).map_err(&failed)?;
         self.next += 1;
         if self.written.elapsed() >= WRITTEN_AFTER {
-            out.flush().map_err(&failed)?;
+            sums.flush().and_then(|()| out.flush()).map_err(&failed)?;
             self.written = Instant::now();
         }
         if self.synced.elapsed() >= SYNCED_AFTER {
@@ -167,9 +184,9 @@ impl StudyFolder {
     pub fn finish(mut self) -> Result<(PathBuf, Summary), OutputError> {
         let (rows, partial) = (self.directory.join(ROWS), self.directory.join(PARTIAL));
         let mut path = rows.clone();
-        if let Some(mut out) = self.out.take() {
+        if let Some((mut out, mut sums)) = self.out.take() {
             let failed = OutputError::at(&partial);
-            out.flush().and_then(|()| out.get_ref().sync_all()).map_err(&failed)?;
+            sums.flush().and_then(|()| out.flush()).and_then(|()| out.get_ref().sync_all()).map_err(&failed)?;
             drop(out);
             match self.next == self.jobs.end {
                 true if stands_in(&self.dir, ROWS) => return Err(OutputError::Exists { path: rows }),
@@ -197,6 +214,15 @@ pub fn finished(directory: &Path) -> Option<(PathBuf, BufReader<File>)> {
     let mut reader = BufReader::with_capacity(1 << 16, File::open(&path).ok()?);
     reader.read_until(b'\n', &mut Vec::new()).ok()?;
     Some((path, reader))
+}
+
+/// Number of the first job of a finished folder, from 1, whose row is not as it was written; `first` is that of the first, from 0.
+///
+/// # Errors
+/// The rows cannot be read.
+pub fn altered(directory: &Path, dir: &Dir, first: u64) -> io::Result<Option<u64>> {
+    let Some((_, reader)) = finished(directory) else { return Ok(None) };
+    Ok(Sums::of(dir).first_altered(reader)?.map(|number| first + number + 1))
 }
 
 /// Refuses what was begun with another plan.
@@ -244,21 +270,36 @@ fn appended(dir: &Dir) -> io::Result<File> {
     Ok(dir.open_with(PARTIAL, options.create_new(!is_there))?.into_std())
 }
 
-/// Opens unfinished rows behind the last whole one, which is that of the last job before the returned one; what is
-/// torn behind it is cut off.
-fn resume(dir: &Dir, layout: &Layout, first: u64) -> io::Result<(File, u64)> {
+/// Unfinished rows, to be gone on with.
+struct Resumed {
+    file: File,
+    sums: sums::Writer,
+    /// Number of the first job that is not done, from 0.
+    next: u64,
+    /// Number of the first job, from 1, whose row was not as it was written.
+    altered: Option<u64>,
+}
+
+/// Opens unfinished rows behind the last whole one that is as it was written, which is that of the last job before the next one;
+/// what stands behind it is cut off.
+fn resume(dir: &Dir, layout: &Layout, first: u64) -> io::Result<Resumed> {
     let mut file = appended(dir)?;
     let header = rows::header(layout);
     let mut reader = BufReader::with_capacity(1 << 16, &mut file);
     let mut line = Vec::new();
     reader.read_until(b'\n', &mut line)?;
-    let (mut end, mut next) = (0, first);
+    let (mut end, mut next, mut altered) = (0, first, None);
+    let mut sums = Sums::of(dir);
     if line == header.as_bytes() {
         end = line.len() as u64;
         loop {
             line.clear();
             reader.read_until(b'\n', &mut line)?;
             if rows::job_of(&line) != Some(next + 1) {
+                break;
+            }
+            if !sums.has(&line) {
+                altered = Some(next + 1);
                 break;
             }
             end += line.len() as u64;
@@ -271,9 +312,11 @@ fn resume(dir: &Dir, layout: &Layout, first: u64) -> io::Result<(File, u64)> {
         return Err(io::Error::new(io::ErrorKind::AlreadyExists, "it does not begin as the rows of this study do"));
     }
     file.set_len(end)?;
+    file.seek(SeekFrom::Start(header.len() as u64))?;
+    let sums = sums::Writer::behind(dir, next - first, BufReader::new(&mut file))?;
     file.seek(SeekFrom::Start(end))?;
     if end == 0 {
         file.write_all(header.as_bytes())?;
     }
-    Ok((file, next))
+    Ok(Resumed { file, sums, next, altered })
 }

@@ -4,10 +4,11 @@ use std::io::BufRead;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::folder::{Earlier, FILES, StudyError, StudyFolder, finished, known};
+use super::folder::{Earlier, FILES, StudyError, StudyFolder, altered, finished, known};
 use super::rows;
 use crate::input::Problem;
 use crate::output::OutputError;
+use crate::output::files::folder_at;
 use crate::study::{Layout, Shard, Summary};
 
 /// Writes the rows of all shards into one folder, as if the study had been done there, and says what they say.
@@ -33,6 +34,11 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(Layout, PathBuf, Sum
                 let message = format!("{a} and {b} are of different plans: {}", differences.join("; "));
                 return refused(message, "merge shards of one plan alone");
             }
+        }
+        let dir = folder_at(folder).map_err(OutputError::at(folder))?;
+        if let Some(job) = altered(folder, &dir, shard.jobs(&own).start).map_err(OutputError::at(folder))? {
+            let message = format!("row {job} of shard {shard} in {} is not as it was written", folder.display());
+            return refused(message, "the file was changed: run the shard again with --restart");
         }
         shards.push((shard.jobs(&own), folder, shard));
         layout.get_or_insert((own, folder));

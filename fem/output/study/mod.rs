@@ -6,6 +6,7 @@ mod layout;
 mod merge;
 pub mod parquet;
 mod rows;
+mod sums;
 mod text;
 
 pub use folder::{Earlier, StudyError, StudyFolder};

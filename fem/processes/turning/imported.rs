@@ -26,6 +26,9 @@ const NEAR: f64 = 1e-6;
 /// More places than anybody pushes at.
 const MOST: usize = 200;
 
+/// Distance below which two places are one, m.
+const APART: f64 = 1e-6;
+
 /// A place that was pushed or watched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Place {
@@ -100,9 +103,25 @@ impl Imported {
             let message = format!("the tool was pushed at {} places", tools.len());
             return Err(Problem::new(message).help(format!("push it at 1 to {MOST} places along the shaft")));
         }
+        if let Some(pair) = tools.windows(2).find(|pair| pair[1] - pair[0] < APART) {
+            let [one, other] = [pair[0], pair[1]].map(|x| LENGTH.format(x));
+            let message = format!("the tool at {one} and at {other} is at one place");
+            return Err(Problem::new(message).help("write both alike, or push it further away"));
+        }
         let supports = [Place::Headstock, Place::Tailstock];
         let places: Vec<Place> = supports.into_iter().chain(tools.iter().map(|x| Place::Tool(*x))).collect();
         let is_there = |place: Place| tailstock || place != Place::Tailstock;
+        // Each pair of places is looked up, for there are as many readings as pairs.
+        let number = |place: &Place| match place {
+            Place::Headstock => 0,
+            Place::Tailstock => 1,
+            Place::Tool(x) => 2 + tools.partition_point(|own| own < x),
+        };
+        let mut readings: Vec<Vec<&Pair>> = vec![Vec::new(); places.len() * places.len()];
+        for pair in pairs {
+            let [one, other] = [0, 1].map(|end| number(&pair.between[end]));
+            readings[one * places.len() + other].push(pair);
+        }
         let mut compliance = DMatrix::zeros(places.len(), places.len());
         let mut doubt: f64 = 0.0;
         for i in 0..places.len() {
@@ -110,9 +129,9 @@ impl Imported {
                 if !is_there(places[i]) || !is_there(places[j]) {
                     continue;
                 }
-                let of = |between: [Place; 2]| pairs.iter().filter(move |pair| pair.between == between);
+                let of = |one: usize, other: usize| readings[one * places.len() + other].iter().copied();
                 let (a, b) = (places[i], places[j]);
-                let both: Vec<&Pair> = of([a, b]).chain(of([b, a]).filter(|_| a != b)).collect();
+                let both: Vec<&Pair> = of(i, j).chain(of(j, i).filter(|_| i != j)).collect();
                 let Some(first) = both.first() else {
                     let message = format!("nothing says how {} moves where {} is pushed", a.told(), b.told());
                     return Err(
@@ -281,7 +300,12 @@ impl Columns {
             return Err(Problem::new(message).help("a place's own compliance is above zero"));
         }
         let u = self.u.filter(|(column, _)| !row.cells[*column].is_empty());
-        Ok(Pair { between, compliance, u: u.map(|u| value(u, "u")).transpose()? })
+        let u = u.map(|u| value(u, "u")).transpose()?;
+        if let Some(u) = u.filter(|u| *u <= 0.0) {
+            let message = format!("`u` is {}, and an uncertainty is above zero", COMPLIANCE.format(u));
+            return Err(Problem::new(message).help("leave the cell empty where it is not known"));
+        }
+        Ok(Pair { between, compliance, u })
     }
 
     fn place(&self, row: &ListedRow, word: usize, x: Option<(usize, Unit)>, name: &str) -> Result<Place, Problem> {
@@ -293,7 +317,14 @@ impl Columns {
                     x.map(|(column, unit)| (row.cells[column].as_str(), unit)).filter(|(cell, _)| !cell.is_empty());
                 let missing = || Problem::new(format!("the tool stands nowhere: `{name}` is empty"));
                 let (cell, unit) = cell.ok_or_else(|| missing().help("say at which x it was"))?;
-                Ok(Place::Tool(number(cell, name)? * unit.factor + unit.offset))
+                let x = number(cell, name)? * unit.factor + unit.offset;
+                match x >= 0.0 {
+                    true => Ok(Place::Tool(x)),
+                    false => {
+                        let message = format!("`{name}` is {}, and the shaft begins at 0", LENGTH.format(x));
+                        Err(Problem::new(message).help("count x from the headstock's end of the shaft"))
+                    }
+                }
             }
             word => {
                 let meant = did_you_mean(word, Place::WORDS, '`');
