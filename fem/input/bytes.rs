@@ -15,7 +15,8 @@ use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
 use encoding_rs::{BIG5, EUC_JP, Encoding, GBK, SHIFT_JIS, WINDOWS_1250, WINDOWS_1251, WINDOWS_1252};
 use sha2::{Digest, Sha256};
 
-use super::visible::{on_one_line, one_line};
+use super::line_ends::one_line;
+use super::visible::on_one_line;
 use super::{InputError, Problem, Source};
 
 impl Source {

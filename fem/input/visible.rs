@@ -2,8 +2,6 @@
 
 use std::borrow::Cow;
 
-use super::Problem;
-
 /// A text with control characters as JSON writes them, for a name in a file may hold what recolours, clears or retitles a
 /// terminal. Line ends and tabs stay.
 pub fn visible(text: &str) -> Cow<'_, str> {
@@ -35,21 +33,7 @@ pub fn on_one_line(name: &str) -> Cow<'_, str> {
     name.chars().map(shown).collect::<String>().into()
 }
 
-/// Refuses the name of a file that would make lines of its own wherever it is shown.
-///
-/// # Errors
-/// There is a line end in it.
-pub fn one_line(name: &str) -> Result<(), Problem> {
-    match name.contains(['\n', '\r']) {
-        false => Ok(()),
-        true => {
-            let problem = Problem::new(format!("there is a line end in the name `{}`", on_one_line(name)));
-            Err(problem.help("rename the file: its name is shown as a part of a line"))
-        }
-    }
-}
-
-/// The same where places of bytes stay what they are.
+/// A text as [`visible`] shows it where places of bytes stay what they are.
 pub(super) fn visible_in_place(text: &str) -> String {
     let shown = |letter: char| match letter {
         '\n' | '\t' => letter,
