@@ -7,7 +7,8 @@ use std::sync::Arc;
 use serde_json::json;
 
 use super::bytes::{no_pipe, not_text, read};
-use super::visible::{on_one_line, one_line};
+use super::line_ends::one_line;
+use super::visible::on_one_line;
 use super::{Cache, FileKey, Problem, Reader, Source};
 
 /// A file that a model names, and what it holds.

@@ -27,6 +27,7 @@ mod tables;
 mod terms;
 mod together;
 mod trial;
+mod usual;
 mod way;
 
 pub use add::{Setting, add_effect};
