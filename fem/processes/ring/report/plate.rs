@@ -133,7 +133,7 @@ impl Plate {
         let pushed = membrane.opened(push).slope;
         let turns = [
             (pushed, push.force * plate.deflection_pushed(push.radius, arms.circle)),
-            (plate.under_arms(&arms).slope, plate.deflection(&arms, arms.circle, 0.0)),
+            (plate.under_arms(arms).slope, plate.deflection(arms, arms.circle, 0.0)),
         ];
         let (circle, thick) = (arms.circle, JAW * radius);
         let (sine, cosine) = angle.sin_cos();
