@@ -8,6 +8,7 @@ use super::error::Error;
 use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
+use super::written::{note_open, write_model};
 use crate::ask::{self, completed};
 use crate::diagnose::Diagnosis;
 use crate::discover::{diagnose_with, read_candidates};
@@ -44,13 +45,8 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
 
 /// Writes the completed model.
 fn write_completed(new: &Path, (data, diagnosis): (&Data, &Diagnosis), guard: Guard) -> Result<(), Error> {
-    let better = completed(data, diagnosis)?;
-    files::write(new, better.text_at(new).as_bytes(), guard)?;
-    say!("written {}", new.display());
-    notes(&ask::usual_said(&better, data.model));
-    for open in diagnosis.fit.of(data.model).filter(|e| !e.is_closed()) {
-        say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
-    }
+    write_model(new, &completed(data, diagnosis)?, data.model, guard)?;
+    note_open(diagnosis.fit.of(data.model).filter(|e| !e.is_closed()));
     Ok(())
 }
 

@@ -2,14 +2,14 @@
 
 use super::args;
 use super::error::Error;
-use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
-use crate::ask::{read, usual_said, with_usual};
+use super::written::write_model;
+use crate::ask::{read, with_usual};
 use crate::discover::{discover, read_candidates};
 use crate::model::Data;
 use crate::output::LawsAnswer;
-use crate::output::files::{self, Guard};
+use crate::output::files::Guard;
 
 pub fn run(args: &args::Discover) -> Result<(), Error> {
     let reads = args.data.reads(&args.model);
@@ -23,10 +23,7 @@ pub fn run(args: &args::Discover) -> Result<(), Error> {
     let data = Data::of(&model, measured)?.watched(progress.clone());
     let found = watched(&progress, || discover(&data, &candidates, &progress))?;
     if let (Some(new), Some(better)) = (&args.add_to, found.told().and_then(|law| law.model.as_ref())) {
-        let better = with_usual(better.clone())?;
-        files::write(new, better.text_at(new).as_bytes(), guard)?;
-        say!("written {}", new.display());
-        notes(&usual_said(&better, data.model));
+        write_model(new, &with_usual(better.clone())?, data.model, guard)?;
     }
     notes(&data.notes_of_fit());
     print(&page(&LawsAnswer(&data, &found), args.json))

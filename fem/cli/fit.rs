@@ -4,14 +4,14 @@ use std::path::Path;
 
 use super::args;
 use super::error::Error;
-use super::say::say;
 use super::terminal::{notes, page, print};
 use super::watch::watched;
-use crate::ask::{fit, fitted, read, usual_said};
+use super::written::{note_open, write_model};
+use crate::ask::{fit, fitted, read};
 use crate::fit::Fit;
 use crate::model::Data;
 use crate::output::FitAnswer;
-use crate::output::files::{self, Guard};
+use crate::output::files::Guard;
 
 pub fn run(args: &args::Fit) -> Result<(), Error> {
     let reads = args.data.reads(&args.model);
@@ -31,13 +31,8 @@ pub fn run(args: &args::Fit) -> Result<(), Error> {
 
 /// Writes the fitted model; one that could not be read again, or run, is none.
 fn write(new: &Path, (data, fit): (&Data, &Fit), guard: Guard) -> Result<(), Error> {
-    let fitted = fitted(data, fit)?;
-    files::write(new, fitted.text_at(new).as_bytes(), guard)?;
-    say!("written {}", new.display());
-    notes(&usual_said(&fitted, data.model));
+    write_model(new, &fitted(data, fit)?, data.model, guard)?;
     let sizes = fit.sizes.iter().filter(|s| !s.is_told()).map(|s| &s.estimate);
-    for open in fit.estimates.iter().filter(|e| !e.is_closed()).chain(sizes) {
-        say!("note: {} stays as it was: the data leave its interval open", open.parameter.path);
-    }
+    note_open(fit.estimates.iter().filter(|e| !e.is_closed()).chain(sizes));
     Ok(())
 }

@@ -30,6 +30,7 @@ mod study;
 mod terminal;
 mod validate;
 mod watch;
+mod written;
 
 use std::ffi::{OsStr, OsString};
 
@@ -37,6 +38,7 @@ use clap::{CommandFactory, Parser};
 
 use crate::input::{Problem, one_line};
 use crate::output::files;
+use crate::output::study::OWN;
 
 use args::{Args, Command};
 use terminal::print;
@@ -94,7 +96,7 @@ fn plain(argument: &OsStr) -> Result<(), Problem> {
     }
     one_line(&text)?;
     let path = text.strip_prefix('-').and_then(|option| option.split_once('=')).map_or(&*text, |(_, path)| path);
-    match path.split(['/', '\\']).find(|part| files::OWN.contains(part)) {
+    match path.split(['/', '\\']).find(|part| *part == files::LIST || OWN.contains(part)) {
         None => Ok(()),
         Some(own) => {
             let problem =

@@ -75,7 +75,7 @@ pub fn estimates(
             f64::INFINITY
         };
         let mut warnings = Vec::new();
-        let is_open = interval.low.is_none() || interval.high.is_none();
+        let is_open = interval.is_open();
         let is_idle = variable.prior.is_none() && is_open && is_idle(objective, solution, i);
         // Where nothing depends on it, it stands wherever the search happened to leave it.
         let at_bound = !is_idle && (position <= variable.low || position >= variable.high);

@@ -43,6 +43,11 @@ impl Interval {
     /// Half the width of a 95 % interval of the standard normal distribution.
     pub const HALF: f64 = 1.959_964;
 
+    /// Whether the data leave an end of it open.
+    pub fn is_open(&self) -> bool {
+        self.low.is_none() || self.high.is_none()
+    }
+
     /// Whether it holds a value, SI; an open end holds everything beyond.
     pub fn contains(&self, value: f64) -> bool {
         self.low.is_none_or(|low| low <= value) && self.high.is_none_or(|high| value <= high)

@@ -146,7 +146,7 @@ fn fitted(data: &Data) -> Result<Fit, Failure> {
 /// Makes the report of a minimum.
 pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats) -> Fit {
     let ProfiledMinimum { solution, covariance, intervals, profiles } = settled;
-    let is_open: Vec<bool> = intervals.iter().map(|i| i.low.is_none() || i.high.is_none()).collect();
+    let is_open: Vec<bool> = intervals.iter().map(Interval::is_open).collect();
     let told_together = told_together::pairs(objective, &solution, &is_open);
     let intervals = intervals.into_iter().zip(profiles).collect();
     let residuals = objective.data.residuals(&solution.predicted);

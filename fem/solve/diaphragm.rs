@@ -116,26 +116,35 @@ impl Diaphragm {
         }
     }
 
-    /// Deflection (m) towards the arms of a place at a radius (m) and an angle (rad) from the middle of an arm, under a moment of
+    /// Deflection (m) towards the arms of places at a radius (m) and an angle (rad) from the middle of an arm, under a moment of
     /// 1 N·m on every arm that turns it outwards.
-    pub fn deflection(&self, arms: &Arms, radius: f64, angle: f64) -> f64 {
+    pub fn deflections(&self, arms: &Arms) -> impl Fn(f64, f64) -> f64 + use<> {
         let Arms { circle, count, root } = *arms;
-        let (x, s) = (radius / circle, self.radius / circle);
-        let even = match x < 1.0 {
-            true => 0.5 * s.ln() - 0.25 * (1.0 - 1.0 / (s * s)) * x * x,
-            false => 0.5 * ((s / x).ln() - 0.5 * (1.0 - (x / s).powi(2))),
+        let s = self.radius / circle;
+        let size = count as f64 * circle / (TAU * self.rigidity());
+        let spread = |m: usize| {
+            let half = 0.5 * m as f64 * root;
+            half.sin() / half
         };
-        let waves = (1..=SEEN).map(|k| k * count).map(|m| {
-            let (wave, order, half) = (self.wave(circle, m), m as i32, 0.5 * m as f64 * root);
-            let powers = [order, order + 2, -order, 2 - order];
-            let of = |terms: &[f64], place: f64| {
-                terms.iter().zip(powers).map(|(term, power)| term * place.powi(power)).sum::<f64>()
+        let all = (1..=SEEN).map(|k| k * count);
+        let waves: Vec<(usize, f64, Wave)> = all.map(|m| (m, spread(m), self.wave(circle, m))).collect();
+        move |radius, angle| {
+            let x = radius / circle;
+            let even = match x < 1.0 {
+                true => 0.5 * s.ln() - 0.25 * (1.0 - 1.0 / (s * s)) * x * x,
+                false => 0.5 * ((s / x).ln() - 0.5 * (1.0 - (x / s).powi(2))),
             };
-            let away = if x < 1.0 { of(&wave.inside, x) } else { of(&wave.outside, x / s) };
-            -2.0 * half.sin() / half * away * (m as f64 * angle).cos()
-        });
-        let mean = count as f64 / (TAU * circle);
-        mean * circle * circle / self.rigidity() * (even + waves.sum::<f64>())
+            let uneven = waves.iter().map(|(m, spread, wave)| {
+                let order = *m as i32;
+                let powers = [order, order + 2, -order, 2 - order];
+                let of = |terms: &[f64], place: f64| {
+                    terms.iter().zip(powers).map(|(term, power)| term * place.powi(power)).sum::<f64>()
+                };
+                let away = if x < 1.0 { of(&wave.inside, x) } else { of(&wave.outside, x / s) };
+                -2.0 * spread * away * (*m as f64 * angle).cos()
+            });
+            size * (even + uneven.sum::<f64>())
+        }
     }
 
     /// Deflection (m) at a radius (m) under a push of 1 N on a circle of radius `pusher` (m).
@@ -218,18 +227,17 @@ mod tests {
     #[test]
     fn deflections_are_those_of_their_slopes() {
         let arms = Arms { circle: 0.06, count: 6, root: 0.3 };
-        let bent = PLATE.under_arms(&arms);
-        assert!((PLATE.deflection(&arms, 0.0, 0.2) / bent.deflection - 1.0).abs() < 1e-9);
+        let (bent, deflection) = (PLATE.under_arms(&arms), PLATE.deflections(&arms));
+        assert!((deflection(0.0, 0.2) / bent.deflection - 1.0).abs() < 1e-9);
         let step = 1e-6;
         let places = (0..200).map(|i| 0.3 * ((i as f64 + 0.5) / 200.0 - 0.5));
         let steep = |radius: f64, angle: f64| {
-            (PLATE.deflection(&arms, radius - step, angle) - PLATE.deflection(&arms, radius + step, angle))
-                / (2.0 * step)
+            (deflection(radius - step, angle) - deflection(radius + step, angle)) / (2.0 * step)
         };
         let mean = places.map(|angle| steep(0.06, angle)).sum::<f64>() / 200.0;
         assert!((mean / bent.slope - 1.0).abs() < 1e-3, "{mean} {}", bent.slope);
         for angle in [0.0, 0.1, 0.5] {
-            assert!(PLATE.deflection(&arms, 0.1, angle).abs() < 1e-12 * bent.deflection);
+            assert!(deflection(0.1, angle).abs() < 1e-12 * bent.deflection);
             assert!(steep(0.1 - step, angle).abs() < 1e-3 * bent.slope);
         }
         let pushed = PLATE.pushed(0.02, 0.06);

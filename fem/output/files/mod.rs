@@ -20,8 +20,7 @@ pub use page::{page_guard, sealed, write_page};
 pub use single::write;
 pub use stage::Stage;
 
-/// Names of files that the program keeps in folders of results.
-pub(crate) const OWN: [&str; 3] = [written::LIST, ".fem-study.json", ".fem-rows.sums"];
+pub(crate) use written::LIST;
 
 pub(super) use account::Account;
 pub(crate) use account::digits;

@@ -6,9 +6,9 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use cap_fs_ext::{FollowSymlinks, MetadataExt, OpenOptionsFollowExt};
-use cap_std::fs::{Dir, OpenOptions};
+use cap_std::fs::Dir;
 
+use super::own::opened;
 use super::sums::{self, Sums};
 use super::{layout, rows};
 use crate::input::Problem;
@@ -258,18 +258,6 @@ fn lock(dir: &Dir, directory: &Path) -> Result<Option<File>, StudyError> {
     }
 }
 
-/// The file of the rows: a new one, or one that stands in this folder and nowhere else.
-fn appended(dir: &Dir) -> io::Result<File> {
-    let mut options = OpenOptions::new();
-    options.read(true).write(true).follow(FollowSymlinks::No);
-    let is_there = match dir.symlink_metadata(PARTIAL) {
-        Ok(about) if about.is_file() && about.nlink() == 1 => true,
-        Ok(_) => return Err(io::Error::new(io::ErrorKind::AlreadyExists, "it is no file of this folder alone")),
-        Err(_) => false,
-    };
-    Ok(dir.open_with(PARTIAL, options.create_new(!is_there))?.into_std())
-}
-
 /// Unfinished rows, to be gone on with.
 struct Resumed {
     file: File,
@@ -283,7 +271,7 @@ struct Resumed {
 /// Opens unfinished rows behind the last whole one that is as it was written, which is that of the last job before the next one;
 /// what stands behind it is cut off.
 fn resume(dir: &Dir, layout: &Layout, first: u64) -> io::Result<Resumed> {
-    let mut file = appended(dir)?;
+    let mut file = opened(dir, PARTIAL, true)?;
     let header = rows::header(layout);
     let mut reader = BufReader::with_capacity(1 << 16, &mut file);
     let mut line = Vec::new();

@@ -4,6 +4,7 @@ mod folder;
 mod json;
 mod layout;
 mod merge;
+mod own;
 pub mod parquet;
 mod rows;
 mod sums;
@@ -12,6 +13,9 @@ mod text;
 pub use folder::{Earlier, StudyError, StudyFolder};
 pub use merge::merge;
 pub use rows::line;
+
+/// Names of files that a study keeps beside its rows.
+pub(crate) const OWN: [&str; 2] = [layout::FILE, sums::FILE];
 
 use serde_json::Value;
 

@@ -4,9 +4,10 @@
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 
-use cap_fs_ext::{FollowSymlinks, MetadataExt, OpenOptionsFollowExt};
-use cap_std::fs::{Dir, OpenOptions};
+use cap_std::fs::Dir;
 use sha2::{Digest, Sha256};
+
+use super::own::opened;
 
 /// File beside the rows.
 pub const FILE: &str = ".fem-rows.sums";
@@ -32,7 +33,7 @@ impl Sums {
     /// Those of a folder. Rows of earlier versions have none, and are taken as they are.
     pub fn of(dir: &Dir) -> Self {
         Self(
-            opened(dir, false)
+            opened(dir, FILE, false)
                 .ok()
                 .filter(|file| file.metadata().is_ok_and(|about| about.len() > 0))
                 .map(BufReader::new),
@@ -75,7 +76,7 @@ impl Writer {
     /// # Errors
     /// The file cannot be written, or is not of this folder alone.
     pub fn behind(dir: &Dir, count: u64, rows: impl BufRead) -> io::Result<Self> {
-        let mut file = opened(dir, true)?;
+        let mut file = opened(dir, FILE, true)?;
         let end = count * LENGTH as u64;
         if file.metadata()?.len() >= end {
             file.set_len(end)?;
@@ -108,16 +109,4 @@ impl Writer {
     pub fn flush(&mut self) -> io::Result<()> {
         self.0.flush()
     }
-}
-
-/// The file, which stands in this folder and nowhere else; to be written it may be new.
-fn opened(dir: &Dir, is_written: bool) -> io::Result<File> {
-    let mut options = OpenOptions::new();
-    options.read(true).write(is_written).follow(FollowSymlinks::No);
-    let is_there = match dir.symlink_metadata(FILE) {
-        Ok(about) if about.is_file() && about.nlink() == 1 => true,
-        Ok(_) => return Err(io::Error::new(io::ErrorKind::AlreadyExists, "it is no file of this folder alone")),
-        Err(_) => false,
-    };
-    Ok(dir.open_with(FILE, options.create_new(is_written && !is_there))?.into_std())
 }

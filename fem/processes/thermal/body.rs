@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::revolved;
 use crate::element::plane::{Quad8, Thickness};
 use crate::input::Reader;
-use crate::mesh::{Grading, Mesh, RectangleMesh};
+use crate::mesh::{Grading, LEFT, Mesh, RIGHT, RectangleMesh};
 use crate::process::Segment;
 use crate::units::LENGTH;
 
@@ -45,6 +45,11 @@ pub enum Outline {
     Mesh(Arc<Mesh>),
     /// The half section of round lengths one after another: x along their axis, y the radius.
     Revolved(Vec<Segment>),
+}
+
+/// The coordinate along which an edge of this name reaches: 0 for x, 1 for y.
+pub fn axis_of(edge: &str) -> usize {
+    usize::from(matches!(edge, LEFT | RIGHT))
 }
 
 impl Body {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::body::Body;
+use super::body::{Body, axis_of};
 use super::source;
 use crate::input::{Along, Reader, Varying};
 use crate::process::estimates;
@@ -145,11 +145,8 @@ impl Condition {
     fn check_reach(&self, t: &Reader, body: &Body, edge: &str, run: Along) {
         let (Self::Moving { speed, width, from, .. }, Some(plane)) = (self, body.plane()) else { return };
         // Edges of meshes from files go anywhere.
-        let axes: &[usize] = match edge {
-            "left" | "right" => &[1],
-            "top" | "bottom" | "outside" | "bore" => &[0],
-            _ => &[0, 1],
-        };
+        let is_straight = body.has_sections() && body.edges().iter().any(|own| own == edge);
+        let axes = if is_straight { vec![axis_of(edge)] } else { vec![0, 1] };
         let places = run.needed.map(|time| from + speed * time);
         let (first, last) = (places[0].min(places[1]) - 0.5 * width, places[0].max(places[1]) + 0.5 * width);
         let misses = |axis: &usize| {

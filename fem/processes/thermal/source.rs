@@ -1,6 +1,6 @@
 //! The table of a source of heat: over a section, or on a strip of a body of revolution.
 
-use super::body::Body;
+use super::body::{Body, axis_of};
 use super::revolved;
 use crate::input::{Along, Reader, Varying};
 use crate::mesh::{BORE, LEFT, RIGHT};
@@ -30,7 +30,7 @@ pub struct Strip {
 impl Strip {
     /// The coordinate along which it reaches: 0 for x, 1 for y.
     pub fn axis(&self) -> usize {
-        usize::from(matches!(self.edge.as_str(), LEFT | RIGHT))
+        axis_of(&self.edge)
     }
 }
 

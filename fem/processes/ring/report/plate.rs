@@ -50,18 +50,24 @@ impl Plate {
         let membrane = &grasp.membrane;
         let (plate, arms) = (&membrane.plate, &membrane.arms);
         let mut own = Self { grasp, push, grid: Grid::default(), moves: Vec::new(), bodies: Vec::new() };
-        own.add([0.0; 3], [0.0; 2]);
+        let turned = plate.deflections(arms);
+        own.add([0.0; 3], 0.0, turned(0.0, 0.0));
         for circle in 1..=CIRCLES {
             let r = plate.radius * circle as f64 / CIRCLES as f64;
             for i in 0..AROUND {
                 let angle = TAU * i as f64 / AROUND as f64;
-                own.add([r * angle.cos(), r * angle.sin(), 0.0], [r, angle]);
+                own.add([r * angle.cos(), r * angle.sin(), 0.0], r, turned(r, angle));
             }
         }
         let disc = own.disc(0.5 * plate.thickness);
         own.bodies.push(Body::thickened("membrane", disc));
+        // How the roots turn and rise, pushed and under a moment; the chuck gives way at a pad by that turn.
+        let roots = [
+            (membrane.opened(push).slope, push.force * plate.deflection_pushed(push.radius, arms.circle)),
+            (grasp.own / membrane.length.powi(2), turned(arms.circle, 0.0)),
+        ];
         for k in 0..arms.count {
-            let jaw = own.jaw(TAU * k as f64 / arms.count as f64, setup.held_radius());
+            let jaw = own.jaw(TAU * k as f64 / arms.count as f64, setup.held_radius(), roots);
             own.bodies.push(Body::new("jaw", Role::Machine, jaw));
         }
         let ring = own.ring(setup);
@@ -69,11 +75,10 @@ impl Plate {
         own
     }
 
-    /// A point of the plate at a radius and an angle.
-    fn add(&mut self, point: [f64; 3], [radius, angle]: [f64; 2]) {
+    /// A point of the plate at a radius (m), and how it moves under a moment of 1 N·m on every jaw, m.
+    fn add(&mut self, point: [f64; 3], radius: f64, turned: f64) {
         let Plate { grasp: Grasp { membrane, .. }, push, .. } = self;
         let opened = push.force * membrane.plate.deflection_pushed(push.radius, radius);
-        let turned = membrane.plate.deflection(&membrane.arms, radius, angle);
         self.put(point, [[0.0; 3], [0.0, 0.0, opened], [0.0, 0.0, turned]]);
     }
 
@@ -126,15 +131,11 @@ impl Plate {
         skin
     }
 
-    /// A jaw at an angle, from its root on the plate to its pad, which presses at a radius (m): it turns and rises with its root.
-    fn jaw(&mut self, angle: f64, radius: f64) -> Skin {
-        let Self { grasp: Grasp { membrane, .. }, push, .. } = *self;
+    /// A jaw at an angle, from its root on the plate to its pad, which presses at a radius (m): it turns (rad) and rises (m) with
+    /// its root.
+    fn jaw(&mut self, angle: f64, radius: f64, roots: [(f64, f64); 2]) -> Skin {
+        let membrane = self.grasp.membrane;
         let (plate, arms) = (&membrane.plate, &membrane.arms);
-        let pushed = membrane.opened(push).slope;
-        let turns = [
-            (pushed, push.force * plate.deflection_pushed(push.radius, arms.circle)),
-            (plate.under_arms(arms).slope, plate.deflection(arms, arms.circle, 0.0)),
-        ];
         let (circle, thick) = (arms.circle, JAW * radius);
         let (sine, cosine) = angle.sin_cos();
         let mut ring = |[inner, outer]: [f64; 2], half: f64, up: f64| -> Vec<SkinPoint> {
@@ -142,7 +143,7 @@ impl Plate {
                 let moved =
                     |(turn, rise): (f64, f64)| [turn * up * cosine, turn * up * sine, rise - turn * (r - circle)];
                 let place = [r * cosine - side * sine, r * sine + side * cosine, up];
-                self.put(place, [[0.0; 3], moved(turns[0]), moved(turns[1])])
+                self.put(place, [[0.0; 3], moved(roots[0]), moved(roots[1])])
             };
             [(inner, -half), (outer, -half), (outer, half), (inner, half)].map(corner).to_vec()
         };
