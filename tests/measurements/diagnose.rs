@@ -49,10 +49,10 @@ fn rows(text: &str) -> (Model, Measurements) {
 
 #[test]
 fn data_that_cannot_tell_are_told_so() {
-    // One row at one place: nothing is named, for any effect would fit.
+    // One row at one place is not judged: any effect would fit, and nothing is left to tell the noise.
     let (model, one) = rows("x [mm],diameter_error [um],u [um]\n20,29.7,1\n");
     let diagnosis = of(&model, one);
-    assert_eq!((diagnosis.verdict, diagnosis.missing.len()), (Verdict::Unexplained, 0));
+    assert_eq!((diagnosis.verdict, diagnosis.missing.len()), (Verdict::NotJudged, 0));
     assert_eq!(diagnosis.cautions.len(), 2, "{:?}", diagnosis.cautions);
     // Eight rows at one place: something shifts the diameter, and most effects could.
     let (model, same) = rows(&format!("x [mm],diameter_error [um],u [um]\n{}", "20,29.7,1\n".repeat(8)));
