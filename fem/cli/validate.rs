@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
+
 use super::args;
 use super::error::Error;
 use super::terminal::{page, print};
@@ -13,7 +15,7 @@ use crate::validation::{self, Case};
 const LISTED: usize = 16;
 
 pub fn validate(args: &args::Validate) -> Result<(), Error> {
-    let all: Vec<Case> = validation::PARTS.iter().flat_map(|(_, cases)| cases()).collect();
+    let all: Vec<Case> = validation::PARTS.par_iter().flat_map_iter(|(_, cases)| cases()).collect();
     let cases = match &args.source {
         Some(text) => all.iter().filter(|case| case.cites(text)).cloned().collect(),
         None => all.clone(),

@@ -305,11 +305,27 @@ fn a_machine_may_be_drawn_around_a_ring() {
         (
             "stiffness = \"200 N/um\"",
             "stiffness = \"200 N/um\"\nc = \"0.2 um/N^n\"\nn = 0.5\npreload = \"1 kN\"",
-            "around a ring joints are springs",
-            "a stiffness alone",
+            "`structure.bearing` is no spring, and how hard the cut presses on it is not said",
+            "add radial_force =",
+        ),
+        (
+            "force_per_depth = \"1 kN/mm\"",
+            "force_per_depth = \"1 kN/mm\"\nradial_force = \"200 N\"",
+            "joints of a [structure] that are no springs, and there are none",
+            "leave it out",
         ),
     ];
     place.refuses(("run", "ring.toml"), &good, &mistakes);
+    // A contact in the bearing, pressed by the mean force: softer than the bearing alone, and told where.
+    let contact = "stiffness = \"200 N/um\"\nc = \"0.2 um/N^n\"\nn = 0.5\npreload = \"1 kN\"";
+    let seated = good
+        .replace("stiffness = \"200 N/um\"", contact)
+        .replace("force_per_depth = \"1 kN/mm\"", "force_per_depth = \"1 kN/mm\"\nradial_force = \"200 N\"");
+    place.write("seated.toml", seated);
+    let answer = place.fem(&["run", "seated.toml", "-o", "seated"]);
+    assert_eq!((answer.status, answer.err.as_str()), (0, ""));
+    let told = answer.out.lines().find(|line| line.trim_start().starts_with("structure")).unwrap();
+    insta::assert_snapshot!("contact_around_a_ring", told);
 }
 
 /// Short jaws squeeze a wide ring where they press: sections differ, and a file says with `z` which of them it has.

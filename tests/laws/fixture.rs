@@ -68,6 +68,10 @@ impl Fixture {
 pub(super) const SPRINGS: &str = "[effects.support-compliance]\nstiffness = \"80 N/um\"\n";
 pub(super) const CONTACTS: &str = "[effects.contact-joint]\nc = \"0.2 um/N^n\"\nn = 0.5\n";
 const PLACES: [f64; 5] = [0.1, 0.3, 0.45, 0.7, 0.88];
+/// A floor that is held at both of its ends: its nodes, and its member.
+const FLOOR: &str = "left = [\"-10 mm\", \"-90 mm\"]\nright = [\"800 mm\", \"-90 mm\"]\n";
+const FLOOR_MEMBER: &str =
+    "[structure.floor]\nbetween = [\"left\", \"right\"]\nwidth = \"300 mm\"\nheight = \"80 mm\"\n";
 
 /// Forces (N) and places (m) in a list of a figure.
 fn carried(model: &fem::model::Model, key: &str, list: &str) -> Vec<(f64, f64)> {
@@ -124,6 +128,51 @@ proptest! {
         let mirrored: Vec<f64> = PLACES.iter().map(|part| 1.0 - part).collect();
         let own = fixture.heights(effect, &PLACES, &PLACES, 3000.0, 100.0);
         alike(&own, &fixture.mirrored().heights(effect, &mirrored, &mirrored, 3000.0, 100.0), 1e-8)?;
+    }
+
+    /// A contact drawn in the machine under each support is one at the support: the drawn machine has them in its own
+    /// equilibrium. Its stems and its springs have no part in it that is as large as the search leaves open.
+    #[test]
+    fn contacts_under_the_supports_are_contacts_at_them(
+        fixture in fixture(), c in 0.05..0.4, n in 0.4..0.9, clamps in 1000.0..4000.0, cutter in 0.0..800.0,
+    ) {
+        let at_supports = format!("[effects.contact-joint]\nc = \"{c} um/N^n\"\nn = {n}\n");
+        let own = fixture.heights(&at_supports, &PLACES, &PLACES, clamps, cutter);
+        let places: Vec<f64> = fixture.places.iter().map(|part| part * fixture.length).collect();
+        let of = |line: &dyn Fn(usize, f64) -> String| places.iter().enumerate().map(|(i, x)| line(i, *x)).collect::<String>();
+        let machine = format!(
+            "[structure]\nmaterial = \"steel\"\npinned = [{}]\nclamped = [\"left\", \"right\"]\n[structure.nodes]\n{}{FLOOR}\
+             [structure.ports]\nsupports = [{}]\nclamps = \"floor\"\n{}",
+            of(&|i, _| format!("\"back{i}\", ")),
+            of(&|i, x| format!("back{i} = [\"{} mm\", \"-50 mm\"]\nunder{i} = [\"{x} mm\", \"-50 mm\"]\n", x - 10.0)),
+            of(&|i, _| format!("\"stem{i}\", ")),
+            of(&|i, _| format!(
+                "[structure.stem{i}]\nbetween = [\"back{i}\", \"under{i}\"]\ndiameter = \"0.05 mm\"\n[structure.pad{i}]\n\
+                 at = \"under{i}\"\nalong = \"-y\"\nstiffness = \"1e10 N/um\"\nc = \"{c} um/N^n\"\nn = {n}\n"
+            )) + FLOOR_MEMBER,
+        );
+        alike(&own, &fixture.heights(&machine, &PLACES, &PLACES, clamps, cutter), 1e-6)?;
+    }
+
+    /// Behind a spindle that is held by a contact alone the cutter rises by what that gives way under its force.
+    #[test]
+    fn a_spindle_rises_by_its_contact(
+        fixture in fixture(), c in 0.05..0.4, n in 0.4..0.9, preload in 0.0..2000.0, cutter in 50.0..800.0,
+    ) {
+        let machine = |contact: &str| {
+            format!(
+                "[structure]\nmaterial = \"steel\"\nclamped = [\"left\", \"right\"]\n[structure.nodes]\n\
+                 spindle = [\"0 mm\", \"200 mm\"]\n{FLOOR}[structure.ports]\nsupports = \"floor\"\nclamps = \"floor\"\nspindle = \"spindle\"\n\
+                 [structure.along]\nat = \"spindle\"\nalong = \"x\"\nstiffness = \"1 N/um\"\n\
+                 [structure.square]\nat = \"spindle\"\nalong = \"turning\"\nstiffness = \"1 N*m/rad\"\n\
+                 [structure.column]\nat = \"spindle\"\nalong = \"y\"\nstiffness = \"100 N/um\"\n{contact}{FLOOR_MEMBER}",
+            )
+        };
+        let pressed = |text: &str| fixture.heights(text, &PLACES, &PLACES, 3000.0, cutter);
+        let contact = format!("c = \"{c} um/N^n\"\nn = {n}\npreload = \"{preload} N\"\n");
+        let law = |force: f64| 1e-6 * c * force.powf(n);
+        let rise = law(cutter + preload) - law(preload);
+        alike(&pressed(&machine(&contact)), &sum(&pressed(&machine("")), &[rise; 5]), 1e-8)?;
     }
 
     /// Parts of one shape under one strain are of one shape: lengths by s, the modulus by e, forces by s²·e,

@@ -89,6 +89,40 @@ proptest! {
         alike(&own, &two, ROUND_OFF)?;
     }
 
+    /// A bar that a contact holds copies a blank by the law of the contact: the force of the cut grows with the depth that is left.
+    #[test]
+    fn a_contact_behind_the_tool_copies_by_its_law(
+        ring in ring(), c in 0.05..0.4, n in 0.4..0.9, force in 50.0..400.0, blanks in prop::collection::vec(-80.0..80.0, 8),
+    ) {
+        let machine = format!(
+            "[structure]\nmaterial = \"steel\"\n[structure.nodes]\ntip = [\"0 mm\", \"0 mm\"]\n[structure.ports]\ntool = \"tip\"\n\
+             [structure.along]\nat = \"tip\"\nalong = \"x\"\nstiffness = \"1 N/um\"\n\
+             [structure.square]\nat = \"tip\"\nalong = \"turning\"\nstiffness = \"1 N*m/rad\"\n\
+             [structure.slide]\nat = \"tip\"\nalong = \"y\"\nstiffness = \"40 N/um\"\nc = \"{c} um/N^n\"\nn = {n}\n",
+        );
+        let cut = format!("measurement = {{ reference = \"absolute\" }}\ncut = {{ force_per_depth = \"2 kN/mm\", radial_force = \"{force} N\" }}\n");
+        let text = ring.text().replace("mesh = ", &format!("{cut}mesh = ")) + &machine;
+        let blank: Vec<f64> = blanks.iter().map(|own| 1e-6 * own).collect();
+        let own = observed(&model(&text), "deviation", &[("blank", &blank), ("jaw_force", &[0.0; 8])]);
+        let yields = |force: f64| force / 4e7 + 1e-6 * c * force.powf(n);
+        let left = |blank: &f64| {
+            // A tool that does not reach the blank leaves it.
+            if force + 2e6 * (yields(force) - blank) <= 0.0 {
+                return *blank;
+            }
+            // What gives way more, y, of a depth that is larger by -blank: halved down from all of it to nothing.
+            let (mut low, mut high) = (0.0f64.min(-blank), 0.0f64.max(-blank));
+            for _ in 0..200 {
+                let y = 0.5 * (low + high);
+                let pressed: f64 = force + 2e6 * (-blank - y);
+                let more = yields(pressed.max(0.0)) - yields(force);
+                if y > more { high = y } else { low = y }
+            }
+            -0.5 * (low + high)
+        };
+        alike(&own, &blank.iter().map(left).collect::<Vec<f64>>(), 1e-9)?;
+    }
+
     /// Rings of one shape under one strain are of one shape: lengths by s, the modulus by e, forces by s²·e,
     /// deviations by s.
     #[test]

@@ -92,16 +92,6 @@ impl std::fmt::Debug for Drawn {
 }
 
 impl Drawn {
-    /// The same where all of its joints are springs, as they are `about` something ("under a part"); `None` where one is none,
-    /// which is told.
-    pub fn of_springs(self, model: &Reader, about: &str) -> Option<Self> {
-        let Some(seat) = self.seats.first() else { return Some(self) };
-        let name = &self.joints[seat.spring];
-        let message = format!("`structure.{name}` is no spring, and {about} joints are springs");
-        model.problem_in("structure", name, message, "give it a stiffness alone");
-        None
-    }
-
     /// A unit pair of forces that presses a seat.
     pub fn pair(&self, seat: &DrawnSeat) -> Vec<(Freedom, f64)> {
         let spring = &self.factored.structure().springs[seat.spring];

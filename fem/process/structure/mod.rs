@@ -6,8 +6,10 @@
 
 mod draft;
 mod drawing;
+mod places;
 mod read;
 mod shares;
 
 pub use draft::{Draft, Drawn, NEAR, Port, Stand};
+pub use places::{Place, Places, Pushed};
 pub use shares::Shares;

@@ -119,7 +119,7 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
         let force = value(JAW_FORCE).unwrap_or(setup.jaw_force);
         if value(STATE) == Some(CLAMPED) {
             // Before it is cut, at standstill.
-            return squeeze.at(place, |part| part * force);
+            return Ok(squeeze.at(place, |part| part * force));
         }
         let speed = value(SPEED).unwrap_or(setup.speed());
         let orientation = value(ORIENTATION).unwrap_or(0.0);
@@ -127,7 +127,7 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
         let squeezed = squeeze.at(place, |part| machine.force_at(part * force, speed));
         machine.deviation(&BorePoint { angle, orientation, blank }, squeezed)
     };
-    Ok((0..rows.len()).map(one).collect())
+    (0..rows.len()).map(one).collect()
 }
 
 /// The same with the effects that are formulas, whatever circle deviations are measured from, m.

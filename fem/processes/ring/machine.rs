@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::base::Base;
 use super::grip::Grip;
 use super::jaws::{self, Group, Jaw, parts};
 use super::membrane::Grasp;
@@ -44,7 +43,7 @@ pub struct Machine {
     pub eccentricity: [f64; 2],
     /// How much larger the cut radius is while the ring is warm, m.
     pub warmth: f64,
-    /// How far tool and spindle part under the force of the cut, m/N.
+    /// How far tool and spindle part under the force of the cut beside what the drawn machine gives way, m/N.
     pub yielding: f64,
     /// Movements of the nose outwards while it cuts.
     moves: Vec<Mark>,
@@ -59,7 +58,6 @@ impl Machine {
     /// a mesh says otherwise; the spindle true and cold.
     pub fn ideal(setup: Arc<Setup>) -> Self {
         let (jaw_angles, arc) = (setup.jaw_angles.clone(), setup.arc);
-        let yielding = setup.base.as_ref().map_or(0.0, Base::compliance);
         Self {
             setup,
             jaw_angles,
@@ -68,7 +66,7 @@ impl Machine {
             jaw_moment: 0.0,
             eccentricity: [0.0; 2],
             warmth: 0.0,
-            yielding,
+            yielding: 0.0,
             moves: Vec::new(),
             released: Vec::new(),
             command: None,
@@ -91,19 +89,39 @@ impl Machine {
     /// The nose goes round the spindle's axis. It finds the surface where the blank, the squeeze, the warmth and the
     /// chuck that stands aside have it, b, and is itself moved to s; the tool yields by k·(s − b), so that s − k·(s −
     /// b) is left. Then the ring is let go, cools down, and is measured about its own axis.
-    pub fn deviation(&self, point: &BorePoint, squeeze: f64) -> f64 {
+    ///
+    /// # Errors
+    /// The joints of the drawn machine found no equilibrium.
+    pub fn deviation(&self, point: &BorePoint, squeeze: f64) -> Result<f64, Failure> {
         let all = |marks: &[Mark]| marks.iter().map(|mark| mark(point)).sum::<f64>();
         let [x, y] = self.eccentricity;
         let away = squeeze + self.warmth + x * point.angle.cos() + y * point.angle.sin();
         let commanded = self.command.as_ref().map_or(0.0, |command| command.at(point.angle, &[]));
         let (nose, found) = (commanded + all(&self.moves), point.blank + away);
-        nose - self.copied() * (nose - found) - away + all(&self.released)
+        Ok(nose - self.given_way(nose - found)? - away + all(&self.released))
     }
 
-    /// Part of an uneven depth of cut by which the tool yields, C·c/(1 + C·c).
-    pub fn copied(&self) -> f64 {
-        let by_depth = self.setup.force_per_depth.unwrap_or(0.0) * self.yielding;
-        by_depth / (1.0 + by_depth)
+    /// How far tool and spindle part where the depth of cut is larger by some (m) than in the mean, m.
+    ///
+    /// # Errors
+    /// The joints of the drawn machine found no equilibrium.
+    fn given_way(&self, deeper: f64) -> Result<f64, Failure> {
+        let per_depth = self.setup.force_per_depth.unwrap_or(0.0);
+        let linear = |yielding: f64| deeper * per_depth * yielding / (1.0 + per_depth * yielding);
+        let Some(base) = &self.setup.base else { return Ok(linear(self.yielding)) };
+        let Some(mean) = base.mean_force() else { return Ok(linear(self.yielding + base.compliance())) };
+        let parted = |force: f64| -> Result<[f64; 2], Failure> {
+            let [farther, rate] = base.farther(force)?;
+            Ok([farther + self.yielding * (force - mean), rate + self.yielding])
+        };
+        // Where the cut takes away less than nothing the tool does not touch.
+        if per_depth * (deeper - parted(0.0)?[0]) <= -mean {
+            return Ok(deeper);
+        }
+        balanced(deeper, linear(self.yielding + base.compliance()), |left| {
+            let [parted, rate] = parted((mean + per_depth * left).max(0.0))?;
+            Ok([parted, rate * per_depth])
+        })
     }
 
     /// The jaws with their forces in equilibrium, those together that press alike.
@@ -166,3 +184,31 @@ impl Machine {
         if can { (one.min(other) / self.thrown_moment()).sqrt() } else { f64::INFINITY }
     }
 }
+
+/// The part y of a depth (m) by which what cuts gives way, y = of(depth − y), where `of` rises with what is left of the depth, and
+/// tells how fast; found from a guess by Newton's steps, halved where these leave the bracket.
+fn balanced(depth: f64, guess: f64, of: impl Fn(f64) -> Result<[f64; 2], Failure>) -> Result<f64, Failure> {
+    let (mut low, mut high) = (depth.min(0.0), depth.max(0.0));
+    let mut y = guess;
+    for _ in 0..MOST_STEPS {
+        let [given, rate] = of(depth - y)?;
+        let excess = y - given;
+        if excess > 0.0 {
+            high = y
+        } else {
+            low = y
+        }
+        let newton = y - excess / (1.0 + rate);
+        let next = if (low..=high).contains(&newton) { newton } else { 0.5 * (low + high) };
+        if (next - y).abs() <= ROUND_OFF * depth.abs() {
+            return Ok(next);
+        }
+        y = next;
+    }
+    Ok(y)
+}
+
+/// Steps in which a bracket is halved down to round-off.
+const MOST_STEPS: usize = 60;
+/// What the balance of the joints leaves open of a depth.
+const ROUND_OFF: f64 = 1e-12;

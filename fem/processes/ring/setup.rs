@@ -121,14 +121,20 @@ impl Setup {
             let speed = t.quantity("spindle_speed", SPINDLE_SPEED, "spindle speed while it is cut").not_negative();
             let force = t.quantity("force_per_depth", FORCE_PER_DEPTH, "radial force of the cut per depth of cut");
             let along = t.quantity("cutting_force", FORCE, "force of the cut along the turning, which the jaws hold");
+            let mean = t.quantity(
+                "radial_force",
+                FORCE,
+                "mean radial force of the cut, if a joint of the machine is no spring",
+            );
             (
                 speed.optional(),
                 force.estimated(CUTTING_FORCE).positive().optional(),
                 along.estimated(CUTTING_FORCE).positive().optional(),
+                mean.estimated(CUTTING_FORCE).positive().optional(),
             )
         });
-        let (spindle_speed, force_per_depth, cutting_force) = cut.unwrap_or_default();
-        let base = Base::read(model);
+        let (spindle_speed, force_per_depth, cutting_force, radial_force) = cut.unwrap_or_default();
+        let base = Base::read(model, radial_force);
         if base.is_some() && force_per_depth.is_none() {
             let help =
                 "add force_per_depth = \"1 kN/mm\" to [cut]: it is by the force of the cut that a machine gives way";

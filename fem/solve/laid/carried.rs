@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Flexible, LaidError, Load, Settled, Spot, Support, Supports, friction};
+use super::{Flexible, LaidError, Load, Settled, Spot, Sunk, Support, Supports, friction};
 use crate::joint::JointState;
 
 /// Residual at which forces and displacements count as in equilibrium, relative to the terms of each
@@ -27,15 +27,13 @@ pub(super) struct Carried {
 /// Solves for the forces of the supports that carry.
 pub(super) fn carry(
     part: &Arc<Flexible>,
-    Supports { all: supports, ground }: Supports,
+    on: Supports,
     carrying: &[bool],
     loads: &[Load],
 ) -> Result<Carried, LaidError> {
+    let supports = on.all;
     let own: Vec<usize> = (0..supports.len()).filter(|i| carrying[*i]).collect();
-    let mut problem = Problem::new(part, own.iter().map(|i| &supports[*i]).collect(), loads);
-    if let Some(ground) = ground {
-        problem.influence += DMatrix::from_fn(own.len(), own.len(), |i, j| ground[(own[i], own[j])]);
-    }
+    let mut problem = Problem::new(part, on, &own, loads);
     let (mut found, mut rigid) = problem.solve()?;
     let mut held = vec![0.0; own.len()];
     if own.iter().any(|i| supports[*i].friction > 0.0) {
@@ -74,9 +72,13 @@ pub(super) fn acting(supports: &[Support], loads: &[Load], forces: &[f64], frict
 }
 
 struct Problem<'a> {
+    /// All supports.
+    on: Supports<'a>,
+    /// Numbers of those that carry.
+    own: &'a [usize],
     supports: Vec<&'a Support>,
     loads: &'a [Load],
-    /// G(x_i, x_j) between supports, and what the ground adds, m/N.
+    /// G(x_i, x_j) between supports, m/N.
     influence: DMatrix<f64>,
     /// Deflection of the supports' places by the loads and by friction, m.
     bent: Vec<f64>,
@@ -93,13 +95,15 @@ struct Trial {
     path: Vec<f64>,
     rigid: [f64; 2],
     states: Vec<JointState>,
+    sunk: Option<Sunk>,
     residual: DVector<f64>,
     /// Largest residual over the terms of its equation.
     size: f64,
 }
 
 impl<'a> Problem<'a> {
-    fn new(part: &Flexible, supports: Vec<&'a Support>, loads: &'a [Load]) -> Self {
+    fn new(part: &Flexible, on: Supports<'a>, own: &'a [usize], loads: &'a [Load]) -> Self {
+        let supports: Vec<&Support> = own.iter().map(|i| &on.all[*i]).collect();
         let at = |i: usize| supports[i].spot.at;
         let (from, to) = (0..supports.len())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), i| (low.min(at(i)), high.max(at(i))));
@@ -110,9 +114,23 @@ impl<'a> Problem<'a> {
             middle: 0.5 * (from + to),
             half: 0.5 * (to - from),
             total: loads.iter().map(|l| l.force).sum(),
+            on,
+            own,
             supports,
             loads,
         }
+    }
+
+    /// The ground under these forces of the supports (N); `None` where it stands firm.
+    fn sunk(&self, forces: &[f64]) -> Result<Option<Sunk>, LaidError> {
+        let Some(ground) = self.on.ground else { return Ok(None) };
+        let mut all = vec![0.0; self.on.all.len()];
+        self.own.iter().zip(forces).for_each(|(i, force)| all[*i] = *force);
+        let Sunk { by, rates } = ground.sunk(&all).map_err(LaidError::Ground)?;
+        Ok(Some(Sunk {
+            by: self.own.iter().map(|i| by[*i]).collect(),
+            rates: DMatrix::from_fn(self.own.len(), self.own.len(), |i, j| rates[(self.own[i], self.own[j])]),
+        }))
     }
 
     /// Friction (N) that belongs to these forces of the supports, whose `spots` along the part have this influence.
@@ -134,7 +152,7 @@ impl<'a> Problem<'a> {
 
     /// Forces of the supports, and the rigid motion.
     fn solve(&self) -> Result<(Vec<f64>, (f64, f64)), LaidError> {
-        if self.supports.len() == 2 { Ok(self.by_statics()) } else { self.by_newton() }
+        if self.supports.len() == 2 { self.by_statics() } else { self.by_newton() }
     }
 
     /// Lever of a place about the middle, in half spans.
@@ -143,18 +161,20 @@ impl<'a> Problem<'a> {
     }
 
     /// Two supports: the levers decide.
-    fn by_statics(&self) -> (Vec<f64>, (f64, f64)) {
+    fn by_statics(&self) -> Result<(Vec<f64>, (f64, f64)), LaidError> {
         let [a, b] = [self.supports[0].spot.at, self.supports[1].spot.at];
         let share =
             |from: f64, to: f64| self.loads.iter().map(|l| l.force * (l.spot.at - from)).sum::<f64>() / (to - from);
         let forces = vec![share(b, a), share(a, b)];
+        let sunk = self.sunk(&forces)?;
         let y = |i: usize| {
             let support = self.supports[i];
-            support.lowered + support.joint.displacement(forces[i]) - self.bent_at(i, &forces)
+            let sunk = sunk.as_ref().map_or(0.0, |sunk| sunk.by[i]);
+            support.lowered + sunk + support.joint.displacement(forces[i]) - self.bent_at(i, &forces)
         };
         let slope = (y(1) - y(0)) / (b - a);
         let rigid = (y(0) - slope * a, slope);
-        (forces, rigid)
+        Ok((forces, rigid))
     }
 
     /// Deflection of a support's place by loads and reactions, m.
@@ -165,7 +185,7 @@ impl<'a> Problem<'a> {
     /// Newton's method along the joints' paths, each step as long as it lowers the residual.
     fn by_newton(&self) -> Result<(Vec<f64>, (f64, f64)), LaidError> {
         let failure = LaidError::NoEquilibrium { load: self.total };
-        let mut trial = self.start().ok_or(failure)?;
+        let mut trial = self.start()?;
         for _ in 0..MAX_ITERATIONS {
             if trial.size <= TOLERANCE {
                 break;
@@ -183,10 +203,11 @@ impl<'a> Problem<'a> {
         Ok((forces, (trial.rigid[0] - slope * self.middle, slope)))
     }
 
-    /// Every joint as a spring by its secant under an even share of the loads.
-    fn start(&self) -> Option<Trial> {
+    /// Every joint as a spring by its secant under an even share of the loads, the ground as it yields there.
+    fn start(&self) -> Result<Trial, LaidError> {
         let count = self.supports.len();
         let share = self.total / count as f64;
+        let sunk = self.sunk(&vec![share; count])?;
         let mut matrix = DMatrix::zeros(count + 2, count + 2);
         let mut right = DVector::zeros(count + 2);
         for i in 0..count {
@@ -196,12 +217,17 @@ impl<'a> Problem<'a> {
             matrix[(i, i)] += self.supports[i].joint.displacement(share) / share;
             right[i] = self.bent[i] - self.supports[i].lowered;
         }
+        if let Some(Sunk { by, rates }) = sunk {
+            let mut reactions = matrix.view_mut((0, 0), (count, count));
+            reactions += &rates;
+            (0..count).for_each(|i| right[i] -= by[i] - share * rates.row(i).sum());
+        }
         self.border(&mut matrix, |_| 1.0);
         right[count] = self.total;
         right[count + 1] = self.moment();
-        let found = matrix.lu().solve(&right)?;
+        let found = matrix.lu().solve(&right).ok_or(LaidError::NoEquilibrium { load: self.total })?;
         let path = (0..count).map(|i| self.supports[i].joint.path_at(found[i])).collect();
-        Some(self.trial(path, [found[count], found[count + 1]]))
+        self.trial(path, [found[count], found[count + 1]])
     }
 
     /// Moment of the loads about the middle over the half span, N.
@@ -221,16 +247,19 @@ impl<'a> Problem<'a> {
         }
     }
 
-    fn trial(&self, path: Vec<f64>, rigid: [f64; 2]) -> Trial {
+    fn trial(&self, path: Vec<f64>, rigid: [f64; 2]) -> Result<Trial, LaidError> {
         let count = self.supports.len();
         let states: Vec<JointState> = self.supports.iter().zip(&path).map(|(s, p)| s.joint.along(*p)).collect();
+        let forces: Vec<f64> = states.iter().map(|s| s.force).collect();
+        let sunk = self.sunk(&forces)?;
         let mut residual = DVector::zeros(count + 2);
         let mut size = 0.0f64;
         for i in 0..count {
             let turn = rigid[1] * self.lever(self.supports[i].spot.at);
             let held = states.iter().enumerate().map(|(j, s)| self.influence[(i, j)] * s.force);
             let (sum, sizes) = held.fold((0.0, 0.0), |(sum, sizes), term| (sum + term, sizes + f64::abs(term)));
-            let (lowered, displacement) = (self.supports[i].lowered, states[i].displacement);
+            let lowered = self.supports[i].lowered + sunk.as_ref().map_or(0.0, |sunk| sunk.by[i]);
+            let displacement = states[i].displacement;
             residual[i] = lowered + displacement - rigid[0] - turn - self.bent[i] + sum;
             let terms = lowered.abs() + displacement.abs() + rigid[0].abs() + turn.abs() + self.bent[i].abs() + sizes;
             size = size.max(residual[i].abs() / terms.max(f64::MIN_POSITIVE));
@@ -240,7 +269,7 @@ impl<'a> Problem<'a> {
         residual[count + 1] = (0..count).map(|i| states[i].force * lever(i)).sum::<f64>() - self.moment();
         let terms = self.total + states.iter().map(|s| s.force.abs()).sum::<f64>();
         size = size.max(residual[count].abs() / terms).max(residual[count + 1].abs() / terms);
-        Trial { path, rigid, states, residual, size }
+        Ok(Trial { path, rigid, states, sunk, residual, size })
     }
 
     fn jacobian(&self, trial: &Trial) -> DMatrix<f64> {
@@ -248,7 +277,8 @@ impl<'a> Problem<'a> {
         let mut matrix = DMatrix::zeros(count + 2, count + 2);
         for i in 0..count {
             for j in 0..count {
-                matrix[(i, j)] = self.influence[(i, j)] * trial.states[j].force_rate;
+                let sinking = trial.sunk.as_ref().map_or(0.0, |sunk| sunk.rates[(i, j)]);
+                matrix[(i, j)] = (self.influence[(i, j)] + sinking) * trial.states[j].force_rate;
             }
             matrix[(i, i)] += trial.states[i].displacement_rate;
         }
@@ -263,9 +293,10 @@ impl<'a> Problem<'a> {
         for _ in 0..40 {
             let path = (0..count).map(|i| from.path[i] - length * step[i]).collect();
             let rigid = [0, 1].map(|k| from.rigid[k] - length * step[count + k]);
-            let next = self.trial(path, rigid);
-            if next.size < (1.0 - 1e-4 * length) * from.size {
-                return Some(next);
+            // A trial may go so far that the ground opens.
+            let next = self.trial(path, rigid).ok().filter(|next| next.size < (1.0 - 1e-4 * length) * from.size);
+            if next.is_some() {
+                return next;
             }
             length *= 0.5;
         }

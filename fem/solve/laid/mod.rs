@@ -33,6 +33,7 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
+use super::JointsError;
 use crate::joint::Joint;
 use crate::solve::elastic::ElasticError;
 
@@ -49,14 +50,31 @@ pub struct Support {
     pub friction: f64,
 }
 
+/// What supports stand on.
+pub trait Ground {
+    /// How far every support sinks with it under these forces on all of them, N.
+    ///
+    /// # Errors
+    /// It is in no equilibrium.
+    fn sunk(&self, forces: &[f64]) -> Result<Sunk, JointsError>;
+}
+
+/// Ground that has given way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sunk {
+    /// How far every support sinks, m.
+    pub by: Vec<f64>,
+    /// How much more per newton more on each of them, m/N; symmetric. (supports, supports)
+    pub rates: DMatrix<f64>,
+}
+
 /// The supports under the part, two or more at different places, and what they stand on.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Supports<'a> {
     /// All of them.
     pub all: &'a [Support],
-    /// How far each of them sinks with the ground under a force on another one, m/N, symmetric; `None` where it stands firm. (supports,
-    /// supports)
-    pub ground: Option<&'a DMatrix<f64>>,
+    /// The ground; `None` where it stands firm.
+    pub ground: Option<&'a dyn Ground>,
 }
 
 impl<'a> Supports<'a> {
@@ -65,10 +83,14 @@ impl<'a> Supports<'a> {
         Self { all, ground: None }
     }
 
-    /// How far support number `i` stands below its place with these forces on all of them (N), m.
-    fn stands(&self, i: usize, forces: &[f64]) -> f64 {
-        let sunk = self.ground.map_or(0.0, |ground| forces.iter().enumerate().map(|(j, q)| ground[(i, j)] * q).sum());
-        self.all[i].lowered + sunk
+    /// How far every support stands below its place with these forces on all of them (N), m.
+    fn stand(&self, forces: &[f64]) -> Result<Vec<f64>, LaidError> {
+        let mut stand: Vec<f64> = self.all.iter().map(|support| support.lowered).collect();
+        if let Some(ground) = self.ground {
+            let sunk = ground.sunk(forces).map_err(LaidError::Ground)?;
+            stand.iter_mut().zip(sunk.by).for_each(|(stand, sunk)| *stand += sunk);
+        }
+        Ok(stand)
     }
 }
 
@@ -118,6 +140,9 @@ pub enum LaidError {
         /// Sum of the loads, N.
         load: f64,
     },
+    /// The joints of what it stands on found none.
+    #[error(transparent)]
+    Ground(JointsError),
 }
 
 /// A part at rest on its supports.
@@ -133,6 +158,11 @@ pub struct Settled {
 }
 
 impl Settled {
+    /// Forces of all supports, N.
+    pub fn carried(&self) -> Vec<f64> {
+        self.reactions.iter().map(|reaction| reaction.force).collect()
+    }
+
     /// w of the top at x, m, downwards.
     pub fn deflection(&self, x: f64) -> f64 {
         self.deflection_at(&Spot::point(Face::Top, x))

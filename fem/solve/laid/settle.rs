@@ -33,14 +33,14 @@ pub fn settle(part: &Arc<Flexible>, on: Supports, loads: &[Load]) -> Result<Sett
     let mut carrying = vec![true; supports.len()];
     for round in 0..20 * supports.len() {
         let carried = carry(part, on, &carrying, loads)?;
-        let wrong = wrong(on, &carrying, &carried, total);
+        let wrong = wrong(on, &carrying, &carried, total)?;
         // The worst first, which is quick; by position later on, which cannot go in circles.
         let worst = match round < 4 * supports.len() {
             true => wrong.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)),
             false => wrong.into_iter().next(),
         };
         let Some((changed, _)) = worst else {
-            let settled = finish(part, on, &carrying, loads, &carried);
+            let settled = finish(part, on, &carrying, loads, &carried)?;
             return rocks(supports, &settled, total).map_or(Ok(settled), |at| Err(LaidError::Rocks { at }));
         };
         carrying[changed] = !carrying[changed];
@@ -68,14 +68,14 @@ fn laid(supports: &[Support]) -> (f64, f64) {
 
 /// Supports that pull, and supports that the part sinks into though they carry nothing; each with how much,
 /// as a part of what acts.
-fn wrong(on: Supports, carrying: &[bool], carried: &Carried, total: f64) -> Vec<(usize, f64)> {
-    let supports = on.all;
+fn wrong(on: Supports, carrying: &[bool], carried: &Carried, total: f64) -> Result<Vec<(usize, f64)>, LaidError> {
+    let (supports, stand) = (on.all, on.stand(&carried.forces)?);
     let size = supports.iter().map(|s| carried.part.deflection_at(&s.spot).abs()).fold(f64::MIN_POSITIVE, f64::max);
     let of = |i: usize| match carrying[i] {
         true => -carried.forces[i] / total,
-        false => (carried.part.deflection_at(&supports[i].spot) - on.stands(i, &carried.forces)) / size,
+        false => (carried.part.deflection_at(&supports[i].spot) - stand[i]) / size,
     };
-    (0..supports.len()).map(|i| (i, of(i))).filter(|(_, by)| *by > NOTHING).collect()
+    Ok((0..supports.len()).map(|i| (i, of(i))).filter(|(_, by)| *by > NOTHING).collect())
 }
 
 /// The place of the one support that carries all, where the part has left another on one side of it and could as well leave those on
@@ -99,20 +99,26 @@ fn beyond(supports: &[Support], gone: usize, carrying: &[bool], resultant: f64) 
     others.min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
-fn finish(part: &Arc<Flexible>, on: Supports, carrying: &[bool], loads: &[Load], carried: &Carried) -> Settled {
-    let supports = on.all;
+fn finish(
+    part: &Arc<Flexible>,
+    on: Supports,
+    carrying: &[bool],
+    loads: &[Load],
+    carried: &Carried,
+) -> Result<Settled, LaidError> {
+    let (supports, stand) = (on.all, on.stand(&carried.forces)?);
     let reaction = |(i, support): (usize, &Support)| match carrying[i] {
         true => {
             let force = carried.forces[i].max(0.0);
             Reaction { force, displacement: support.joint.displacement(force), friction: carried.friction[i] }
         }
         false => {
-            let displacement = (carried.part.deflection_at(&support.spot) - on.stands(i, &carried.forces)).min(0.0);
+            let displacement = (carried.part.deflection_at(&support.spot) - stand[i]).min(0.0);
             Reaction { force: 0.0, displacement, friction: 0.0 }
         }
     };
     let reactions: Vec<Reaction> = supports.iter().enumerate().map(reaction).collect();
     let forces: Vec<f64> = reactions.iter().map(|r| r.force).collect();
     let forces = acting(supports, loads, &forces, &carried.friction);
-    Settled { part: part.clone(), forces, rigid: carried.part.rigid, reactions }
+    Ok(Settled { part: part.clone(), forces, rigid: carried.part.rigid, reactions })
 }

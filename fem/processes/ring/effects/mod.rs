@@ -58,6 +58,6 @@ mod bench {
     /// and a blank that is off by 50 um.
     pub fn mark(name: &str, canonical: &[f64], angle: f64, orientation: f64) -> f64 {
         let (angle, orientation) = (angle.to_radians(), orientation.to_radians());
-        1e6 * chuck(name, canonical).machine().deviation(&BorePoint { angle, orientation, blank: 5e-5 }, 0.0)
+        1e6 * chuck(name, canonical).machine().deviation(&BorePoint { angle, orientation, blank: 5e-5 }, 0.0).unwrap()
     }
 }

@@ -284,8 +284,9 @@ fn stress(setup: &Setup, scene: &shapes::Scene) -> Figure {
 /// Where the drawn machine gives way.
 fn structure(base: &Base) -> Figure {
     let stiffness = base.compliance().recip();
+    let at = base.mean_force().map_or_else(String::new, |force| format!(" about {}", FORCE.format(force)));
     Figure::new("structure", "structure")
-        .line(format!("{} between tool and spindle: {}", STIFFNESS.format(stiffness), base.told()))
+        .line(format!("{} between tool and spindle{at}: {}", STIFFNESS.format(stiffness), base.told()))
         .quantity("stiffness", STIFFNESS, stiffness)
 }
 
