@@ -1,32 +1,82 @@
 //! The value that every row would show: the body through time, read at the places and times of the rows.
 
+use std::sync::Arc;
+
 use super::body::Body;
 use super::follow::{Followed, Look, Watch};
 use super::machine::Machine;
+use super::recording::{Hottest, Picture, Recording};
 use super::rows::{DIAMETER, ELONGATION, TIME_OF_ROW, X, Y};
-use super::setup::{MOST_STEPS, Time};
+use super::setup::{MOST_STEPS, Setup, Time};
 use super::steps::Reading;
 use super::{plate, rod};
 use crate::process::{Failure, Rows};
 use crate::solve::conduction::Run;
 use crate::units::TIME;
 
+/// Frames of a run beside its start.
+const FRAMES: usize = 60;
+
 /// The elongation (m), the temperature (K) or the change of a diameter (m) of every row.
 ///
 /// # Errors
 /// The body cannot be computed.
 pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
-    let look = |row: usize| match rows.observable[row] {
-        ELONGATION => Look::Elongation,
-        DIAMETER => Look::Diameter { x: rows.get(X, row).unwrap_or(f64::NAN), y: rows.get(Y, row) },
-        _ => Look::Rise { x: rows.get(X, row).unwrap_or(f64::NAN), y: rows.get(Y, row) },
-    };
-    let (looks, of_row) = numbered((0..rows.len()).map(look));
-    let end = rows.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max);
-    let readings: Vec<(usize, f64)> = of_row.into_iter().zip(rows.columns[TIME_OF_ROW].iter().copied()).collect();
-    let run = Run { end, ..run_for(machine, &looks, &readings)? };
-    refuse_too_many_steps(&run)?;
-    let mut values = read(machine, &looks, &readings, &run)?;
+    let Asked { looks, readings, run } = Asked::of(machine, rows)?;
+    let values = read(machine, &looks, &readings, &run)?;
+    Ok(completed(machine, rows, values))
+}
+
+/// The same of the rows of the model's own programme: a plane body is followed once for them and for all else that is told of it.
+///
+/// # Errors
+/// The body cannot be computed.
+pub fn predict(machine: &Machine, programme: &Rows) -> Result<Vec<f64>, Failure> {
+    let Asked { mut looks, readings, run } = Asked::of(machine, programme)?;
+    if machine.setup.body.plane().is_none() || run != self::run(machine)? {
+        return observe(machine, programme);
+    }
+    for look in looks_at_shape(&machine.setup) {
+        if !looks.contains(&look) {
+            looks.push(look);
+        }
+    }
+    let recording = Arc::new(recorded(machine, looks, run, |_, _| None)?);
+    let lags = recording.looks.iter().map(|look| machine.lag_of(*look));
+    let values = recording.track.clone().shown(lags, &readings);
+    // A second prediction of one machine is the same.
+    machine.recording.get_or_init(|| recording.clone());
+    Ok(completed(machine, programme, values))
+}
+
+/// What some rows ask for.
+struct Asked {
+    /// Every look once.
+    looks: Vec<Look>,
+    /// Of every row the position of its look, and its time, s.
+    readings: Vec<(usize, f64)>,
+    /// The run that serves them.
+    run: Run,
+}
+
+impl Asked {
+    fn of(machine: &Machine, rows: &Rows) -> Result<Self, Failure> {
+        let look = |row: usize| match rows.observable[row] {
+            ELONGATION => Look::Elongation,
+            DIAMETER => Look::Diameter { x: rows.get(X, row).unwrap_or(f64::NAN), y: rows.get(Y, row) },
+            _ => Look::Rise { x: rows.get(X, row).unwrap_or(f64::NAN), y: rows.get(Y, row) },
+        };
+        let (looks, of_row) = numbered((0..rows.len()).map(look));
+        let end = rows.columns[TIME_OF_ROW].iter().copied().fold(0.0, f64::max);
+        let readings: Vec<(usize, f64)> = of_row.into_iter().zip(rows.columns[TIME_OF_ROW].iter().copied()).collect();
+        let run = Run { end, ..run_for(machine, &looks, &readings)? };
+        refuse_too_many_steps(&run)?;
+        Ok(Self { looks, readings, run })
+    }
+}
+
+/// Values of rows from what was read of the body.
+fn completed(machine: &Machine, rows: &Rows, mut values: Vec<f64>) -> Vec<f64> {
     let commanded = |time: f64| machine.command.as_ref().map_or(0.0, |command| command.at(time, &[]));
     for (row, value) in values.iter_mut().enumerate() {
         *value += match rows.observable[row] {
@@ -35,7 +85,7 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
             _ => machine.setup.start,
         };
     }
-    Ok(values)
+    values
 }
 
 /// Every look once, and the position of each among them.
@@ -72,6 +122,45 @@ fn read(machine: &Machine, looks: &[Look], readings: &[(usize, f64)], run: &Run)
             Ok(track.shown(looks.iter().map(|look| machine.lag_of(*look)), readings))
         }
     }
+}
+
+/// Follows a body with an eye on all nodes; `shown` is told the time (s) and the rises of all (K), and may give other ones to be
+/// shown.
+///
+/// # Errors
+/// It cannot be computed.
+pub fn recorded(
+    machine: &Machine,
+    looks: Vec<Look>,
+    run: Run,
+    mut shown: impl FnMut(f64, &[f64]) -> Option<Vec<f64>>,
+) -> Result<Recording, Failure> {
+    let mut pictures: Vec<Picture> = Vec::new();
+    let mut hottest: Option<Hottest> = None;
+    let mut watch = |time: f64, rises: &dyn Fn() -> Vec<f64>| {
+        let rises = rises();
+        let shown = shown(time, &rises);
+        let all = shown.as_ref().unwrap_or(&rises).iter().copied().enumerate();
+        for (node, rise) in all.filter(|(_, rise)| rise.is_finite()) {
+            // Of what is equal but for rounding the first.
+            if hottest.is_none_or(|h| rise > h.rise + 1e-9 * rise.abs()) {
+                hottest = Some(Hottest { node, rise, time });
+            }
+        }
+        if time >= run.end * pictures.len() as f64 / FRAMES as f64 * (1.0 - 1e-9) {
+            pictures.push(Picture { time, rises, shown });
+        }
+    };
+    let Followed { track, energy } = follow(machine, &looks, &run, &mut watch)?;
+    Ok(Recording { run, looks, track, energy, pictures, hottest })
+}
+
+/// What a run tells of the shape of a body.
+pub fn looks_at_shape(setup: &Setup) -> Vec<Look> {
+    let is_sheet = setup.body.plane().is_some_and(|plane| !plane.thickness.is_revolved());
+    let ends = setup.body.has_ends().then_some(Look::Elongation);
+    let circles = setup.circles.iter().map(|[x, y]| Look::Diameter { x: *x, y: Some(*y) });
+    ends.into_iter().chain(is_sheet.then_some(Look::Bow)).chain(circles).collect()
 }
 
 /// Follows a body from the start to the end of a run.

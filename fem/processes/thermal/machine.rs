@@ -1,9 +1,10 @@
 //! The body and its surroundings as effects shape them.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::boundary::{Boundary, Condition};
 use super::follow::Look;
+use super::recording::Recording;
 use super::setup::{Setup, Time};
 use super::surroundings::Surroundings;
 use crate::process::{self, Command};
@@ -41,6 +42,8 @@ pub struct Machine {
     pub lag: f64,
     /// What is added to the command, if it is corrected.
     pub command: Option<Arc<Command>>,
+    /// A plane body as it was followed for the prediction: the report shows the same run.
+    pub recording: Arc<OnceLock<Arc<Recording>>>,
 }
 
 impl Machine {
@@ -56,6 +59,7 @@ impl Machine {
             contacts: Vec::new(),
             lag: 0.0,
             command: None,
+            recording: Arc::default(),
         }
     }
 
@@ -63,14 +67,15 @@ impl Machine {
     #[must_use]
     pub fn coarser(&self, step: f64) -> Self {
         let coarse = Setup { element_size: 2.0 * self.setup.element_size, ..(*self.setup).clone() };
-        Self { setup: Arc::new(coarse), ..self.clone() }.with_step(step)
+        Self { setup: Arc::new(coarse), recording: Arc::default(), ..self.clone() }.with_step(step)
     }
 
     /// The same in these steps (s).
     #[must_use]
     pub fn with_step(&self, step: f64) -> Self {
         let time = Time { step: Some(step), ..self.setup.time };
-        Self { setup: Arc::new(Setup { time, ..(*self.setup).clone() }), ..self.clone() }
+        let setup = Arc::new(Setup { time, ..(*self.setup).clone() });
+        Self { setup, recording: Arc::default(), ..self.clone() }
     }
 
     /// Rise of the surroundings over the body's temperature at the start, over time, K: as the model says,

@@ -18,6 +18,7 @@ pub(crate) mod forward;
 pub(crate) mod machine;
 mod over_temperature;
 mod plate;
+mod recording;
 pub(crate) mod report;
 mod revolved;
 mod rod;
@@ -37,6 +38,7 @@ use crate::process::{
     Advice, Allowed, AllowedWords, Answers, CandidateExperiment, CatalogueEffect, Command, Commanded, Coordinate,
     Definition, Failure, Forward, Limit, Misplaced, Observable, Rows, RunReport, Variant,
 };
+use crate::progress::Progress;
 
 /// The process `thermal`.
 pub struct Thermal;
@@ -110,6 +112,10 @@ impl Definition for Thermal {
 
     fn limit(setup: &Setup, observable: usize) -> Limit {
         rows::limit(setup, observable)
+    }
+
+    fn predict(machine: &Machine, programme: &Rows, _progress: &Progress) -> Result<Vec<f64>, Failure> {
+        forward::predict(machine, programme)
     }
 
     fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {

@@ -27,7 +27,7 @@ pub fn figure(body: &Body, boundaries: &[Boundary], scene: &Scene) -> Option<Fig
         }
         _ => None,
     })?;
-    let (x, depth) = hollow(wheel, &scene.times, bows)?;
+    let (x, depth) = hollow(wheel, scene.times(), bows)?;
     let side = if depth > 0.0 { "hollow" } else { "high" };
     Some(
         Figure::new("ground", "ground face, when cold")

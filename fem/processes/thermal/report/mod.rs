@@ -6,10 +6,11 @@ pub mod ground;
 mod scene;
 
 use self::discretisation::Left;
-use self::scene::{Hottest, Scene};
+use self::scene::Scene;
 use super::body::Body;
 use super::boundary::Condition;
 use super::machine::Machine;
+use super::recording::Hottest;
 use super::rows::{COORDINATES, DIAMETER, ELONGATION, OBSERVABLES, TEMPERATURE_OF_ROW, TIME_OF_ROW, X, Y, own};
 use super::setup::Setup;
 use super::surroundings::Surroundings;
@@ -32,12 +33,12 @@ pub fn report(machine: &Machine, forward: &Forward) -> Result<RunReport, Failure
     let scene = Scene::new(machine, forward)?;
     let left = Left::by_elements_and_steps(machine, forward, scene.longest_step())?;
     let mut figures = Vec::new();
-    figures.extend(scene.elongation.iter().flat_map(|values| growth(&scene.times, values)));
+    figures.extend(scene.elongation.iter().flat_map(|values| growth(scene.times(), values)));
     figures.extend(diameters(setup, &scene));
     figures.extend(hottest(setup, &scene));
     figures.extend(bow(&scene));
     figures.extend(ground::figure(&setup.body, &setup.boundaries, &scene));
-    figures.push(energy(&scene.energy));
+    figures.push(energy(scene.energy()));
     figures.push(steps(setup, &scene));
     figures.push(left.figure());
     let mut warnings = warnings(machine, &scene);
@@ -103,7 +104,7 @@ fn diameters(setup: &Setup, scene: &Scene) -> Vec<Figure> {
         for (circle, values) in scene.diameters.iter().filter(|(circle, _)| is_bore(*circle) == inside) {
             let sizes: Vec<f64> = values.iter().map(|value| value.abs()).collect();
             let place = first_extreme(&sizes, f64::gt);
-            let (value, at, end) = (*values.get(place)?, scene.times[place], *values.last()?);
+            let (value, at, end) = (*values.get(place)?, scene.times()[place], *values.last()?);
             let [shown, at_end] = [value, end].map(|change| MICRO.shown(change));
             let (x, after) = (LENGTH.shown(circle[0]), TIME.shown(at));
             lines.push(format!("{shown:+.3} at x = {x:.1} after {after:.1}; {at_end:+.3} in the end"));
@@ -122,7 +123,7 @@ fn diameters(setup: &Setup, scene: &Scene) -> Vec<Figure> {
 
 /// The hottest of all nodes at all steps.
 fn hottest(setup: &Setup, scene: &Scene) -> Option<Figure> {
-    let Hottest { place: [x, y], rise, time } = scene.hottest?;
+    let ([x, y], Hottest { rise, time, .. }) = scene.hottest?;
     let temperature = setup.start + rise;
     let height = if y.is_nan() { String::new() } else { format!(", y = {:.1}", LENGTH.shown(y)) };
     let (shown, after) = (TEMPERATURE.shown(temperature), TIME.shown(time));
@@ -140,7 +141,7 @@ fn bow(scene: &Scene) -> Option<Figure> {
     let values = scene.bow.as_ref()?;
     let sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
     let most = first_extreme(&sizes, f64::gt);
-    let (value, at, end) = (values[most], scene.times[most], values[values.len() - 1]);
+    let (value, at, end) = (values[most], scene.times()[most], values[values.len() - 1]);
     let [shown, at_end] = [value, end].map(|bow| MICRO.shown(bow));
     Some(
         Figure::new("bow", "bow, middle over ends")
@@ -168,7 +169,7 @@ fn energy(energy: &Energy) -> Figure {
 }
 
 fn steps(setup: &Setup, scene: &Scene) -> Figure {
-    let (count, longest, scheme) = (scene.times.len() - 1, scene.longest_step(), setup.time.scheme_name());
+    let (count, longest, scheme) = (scene.times().len() - 1, scene.longest_step(), setup.time.scheme_name());
     let how = match setup.time.step {
         Some(_) => "given".to_string(),
         None => format!("chosen for {}", TEMPERATURE_RISE.format(setup.time.tolerance)),

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use super::super::body::{Body, Plane};
-use super::super::follow::{Followed, Look, unsolvable};
-use super::super::forward::{follow, run};
+use super::super::follow::{Look, unsolvable};
+use super::super::forward::{looks_at_shape, recorded, run};
 use super::super::machine::Machine;
 use super::super::over_temperature::Laws;
+use super::super::recording::{Hottest, Picture, Recording};
 use super::super::rows::{TIME_OF_ROW, elongations, of_circle, temperatures};
 use super::super::setup::Setup;
 use super::super::{plate, rod};
@@ -18,49 +19,21 @@ use crate::solve::conduction::Energy;
 use crate::solve::elastic::{ElasticSystem, Loads, nodal_stresses};
 use crate::units::{LENGTH, STRESS, TEMPERATURE, TEMPERATURE_RISE, TIME};
 
-/// Frames of a run beside its start.
-const FRAMES: usize = 60;
-
 /// A run with all that is shown of it.
 pub struct Scene {
     setup: Arc<Setup>,
     shape: Shape,
-    pictures: Vec<Picture>,
+    recording: Arc<Recording>,
     /// The surface of the body.
     skin: Arc<Skin>,
-    /// Times of the start and of the end of every step, s.
-    pub times: Vec<f64>,
     /// Growth from the base to the free end at these times, m, of a body that has them.
     pub elongation: Option<Vec<f64>>,
     /// Rise of the middle of a plane body over its ends at these times, m.
     pub bow: Option<Vec<f64>>,
     /// Circles (distance from the left end, and radius, m), and the changes of their diameters at these times, m.
     pub diameters: Vec<([f64; 2], Vec<f64>)>,
-    /// The hottest node at any of these times.
-    pub hottest: Option<Hottest>,
-    /// Where the heat went.
-    pub energy: Energy,
-}
-
-/// Where and when a body is hottest.
-#[derive(Clone, Copy)]
-pub struct Hottest {
-    /// x and y of the node, m; a rod has no y.
-    pub place: [f64; 2],
-    /// Rise of its temperature, K.
-    pub rise: f64,
-    /// Time, s.
-    pub time: f64,
-}
-
-/// All nodes at a time.
-struct Picture {
-    /// s.
-    time: f64,
-    /// Rises of the nodes, K.
-    rises: Vec<f64>,
-    /// The same with formula effects, which deform no body.
-    shown: Vec<f64>,
+    /// Place of the hottest node, m; a rod has no y.
+    pub hottest: Option<([f64; 2], Hottest)>,
 }
 
 enum Shape {
@@ -79,10 +52,10 @@ struct Flat {
 }
 
 impl Scene {
-    /// Runs the body once more, with an eye on all nodes.
+    /// Of the run that was followed for the prediction, or of another one where that does not tell enough.
     ///
     /// # Errors
-    /// It cannot be computed.
+    /// The body cannot be computed.
     pub fn new(machine: &Machine, forward: &Forward) -> Result<Self, Failure> {
         let setup = machine.setup.clone();
         let shape = match &setup.body {
@@ -91,34 +64,23 @@ impl Scene {
         };
         let nodes = shape.nodes();
         let run = run(machine)?;
-        let mut rows = temperatures(&nodes, 0.0);
-        let mut pictures: Vec<Picture> = Vec::new();
-        let mut hottest: Option<Hottest> = None;
-        let mut watch = |time: f64, rises: &dyn Fn() -> Vec<f64>| {
-            let rises = rises();
-            let mut shown = rises.clone();
-            if forward.has_formulas() {
-                rows.columns[TIME_OF_ROW].fill(time);
-                forward.add_formulas(&rows, &mut shown);
-            }
-            for (place, rise) in nodes.iter().zip(&shown).filter(|(_, rise)| rise.is_finite()) {
-                // Of what is equal but for rounding the first.
-                if hottest.is_none_or(|h| *rise > h.rise + 1e-9 * rise.abs()) {
-                    hottest = Some(Hottest { place: *place, rise: *rise, time });
-                }
-            }
-            if time >= run.end * pictures.len() as f64 / FRAMES as f64 * (1.0 - 1e-9) {
-                pictures.push(Picture { time, rises, shown });
+        let known = machine.recording.get().filter(|own| own.run == run && !forward.has_formulas()).cloned();
+        let recording = match known {
+            Some(known) => known,
+            None => {
+                let mut rows = temperatures(&nodes, 0.0);
+                let shown = |time: f64, rises: &[f64]| {
+                    forward.has_formulas().then(|| {
+                        let mut shown = rises.to_vec();
+                        rows.columns[TIME_OF_ROW].fill(time);
+                        forward.add_formulas(&rows, &mut shown);
+                        shown
+                    })
+                };
+                Arc::new(recorded(machine, looks_at_shape(&setup), run, shown)?)
             }
         };
-        let mut looks = Vec::new();
-        looks.extend(setup.body.has_ends().then_some(Look::Elongation));
-        let is_sheet = setup.body.plane().is_some_and(|plane| !plane.thickness.is_revolved());
-        looks.extend(is_sheet.then_some(Look::Bow));
-        let circles = setup.circles.iter().map(|[x, y]| Look::Diameter { x: *x, y: Some(*y) });
-        looks.extend(circles);
-        let Followed { track, energy } = follow(machine, &looks, &run, &mut watch)?;
-        let seen = |look| looks.iter().position(|l| *l == look).map(|i| track.values[i].clone());
+        let (track, seen) = (&recording.track, |look| recording.seen(look));
         let mut elongation = seen(Look::Elongation);
         if let Some(values) = &mut elongation {
             forward.add_formulas(&elongations(&track.times), values);
@@ -135,32 +97,45 @@ impl Scene {
             Some((*circle, values))
         };
         let diameters = setup.circles.iter().filter_map(grown).collect();
-        Ok(Self { elongation, bow, diameters, hottest, times: track.times, pictures, energy, shape, setup, skin })
+        let hottest = recording.hottest.map(|hottest| (nodes[hottest.node], hottest));
+        Ok(Self { elongation, bow, diameters, hottest, recording, shape, setup, skin })
+    }
+
+    /// Times of the start and of the end of every step, s.
+    pub fn times(&self) -> &[f64] {
+        &self.recording.track.times
+    }
+
+    /// Where the heat went.
+    pub fn energy(&self) -> &Energy {
+        &self.recording.energy
     }
 
     /// The longest step that was taken, s.
     pub fn longest_step(&self) -> f64 {
-        self.times.windows(2).map(|t| t[1] - t[0]).fold(0.0, f64::max)
+        self.times().windows(2).map(|t| t[1] - t[0]).fold(0.0, f64::max)
     }
 
     /// Points are the nodes; displacement is growth from the base, of a plane body from the middle of its
     /// left end with both ends level, of a body of revolution from its left end.
     pub fn animation(self) -> Animation {
-        let hottest = self.hottest.map_or(0.0, |h| h.time);
+        let hottest = self.hottest.map_or(0.0, |(_, hottest)| hottest.time);
+        let pictures = &self.recording.pictures;
         Animation {
             name: "body",
             shown: "temperature",
             time: "time since the heating began, s",
             view: View::Oblique,
-            telling: self.pictures.partition_point(|p| p.time < hottest).min(self.pictures.len().saturating_sub(1)),
+            telling: pictures.partition_point(|p| p.time < hottest).min(pictures.len().saturating_sub(1)),
             most_magnified: f64::INFINITY,
-            frames: self.pictures.len(),
+            frames: pictures.len(),
             frame: Box::new(move |i| self.frame(i)),
         }
     }
 
     fn frame(&self, i: usize) -> Frame {
-        let Picture { time, rises, shown } = &self.pictures[i];
+        let Picture { time, rises, shown } = &self.recording.pictures[i];
+        let shown = shown.as_ref().unwrap_or(rises);
         let mut grid = match &self.shape {
             Shape::Rod(x) => rod_grid(x, rises, self.setup.material.expansion),
             Shape::Plane(flat) => flat.grid(rises),
