@@ -89,6 +89,19 @@ def drawn_ring(around, across):
     return "\n".join([*lines, "$EndElements", ""])
 
 
+def divided_bed(members):
+    """The lathe on its bed, the middle of the bed in so many members."""
+    before, bed = model("lathe-on-bed.toml").split("[structure.bed-b]", 1)
+    after = bed[bed.index("[structure.bed-c]") :]
+    ends = ["under-headstock", *(f"bed{i}" for i in range(1, members)), "under-tailstock"]
+    places = (f'{end} = ["{-200 + 920 * i / members} mm", "-350 mm"]\n' for i, end in enumerate(ends[1:-1], 1))
+    section = 'width = "350 mm"\nheight = "220 mm"\nwall = "18 mm"\n'
+    pieces = (f'[structure.bed-b{i}]\nbetween = ["{ends[i]}", "{ends[i + 1]}"]\n{section}\n' for i in range(members))
+    names = "".join(f'"bed-b{i}", ' for i in range(members))
+    before = before.replace("[structure.nodes]\n", "[structure.nodes]\n" + "".join(places)).replace('"bed-b", ', names)
+    return before + "".join(pieces) + after
+
+
 def wide(path, columns):
     with open(path, "w") as file:
         file.write(",".join(["part", "x [mm]", "diameter_error [um]", *(f"c{i}" for i in range(columns - 3))]) + "\n")
@@ -119,6 +132,7 @@ def cases(of_parts):
         ("500 000 predicted points", {"model.toml": model("lathe.toml", ("positions = 101", "positions = 10000"), ("parts = 12", "parts = 50"))}, run),
         ("rod of 20 000 elements", {"model.toml": model("thermal.toml") + '\n[mesh]\nelement_size = "0.01 mm"\n'}, run),
         ("rod, 200 000 steps", {"model.toml": model("thermal.toml", ('step = "30 s"', 'step = "54 ms"'))}, run),
+        ("structure of 9900 members", {"model.toml": divided_bed(9880)}, run),
         ("plate of 50 000 elements", {"model.toml": heated(sheet, 0.57)}, run),
         ("sleeve of 50 000 elements", {"model.toml": heated(sleeve, 0.57)}, run),
         ("ring of 40 000 equal cells", {"model.toml": ring.replace(mesh, "circumferential = 5000\nradial = 8")}, run),
