@@ -50,6 +50,14 @@ impl Seat {
         }
     }
 
+    /// Whether all of its values are known: those that are sought are no numbers yet.
+    pub fn is_known(&self) -> bool {
+        match *self {
+            Self::Contact(Contact { coefficient, exponent }, preload) => !(coefficient + exponent + preload).is_nan(),
+            Self::Clearance(gap) => !gap.is_nan(),
+        }
+    }
+
     /// The force (N) with which it is held together: it bears as much against its direction, and a clearance anything.
     pub fn holds(&self) -> f64 {
         match *self {

@@ -56,6 +56,14 @@ pub const COMPLIANCE: Doubt = Doubt::by_factor(
 pub const CONTACT: Doubt =
     Doubt::by_factor(0.3, 3.0, Grows::Linearly, "coefficients of contacts are of surfaces that somebody else prepared");
 
+/// Clearance of a joint.
+pub const CLEARANCE: Doubt = Doubt::by_factor(
+    0.3,
+    3.0,
+    Grows::Otherwise,
+    "a clearance is set when a machine is assembled, and grows as it wears",
+);
+
 /// Coefficient of friction.
 pub const FRICTION: Doubt = Doubt::by_factor(
     0.3,

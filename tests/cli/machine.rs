@@ -87,3 +87,84 @@ fn a_machine_under_a_part_may_have_contacts() {
     assert_eq!(answer.status, 1, "{}", answer.out);
     assert!(answer.err.contains("opens under a force of"), "{}", answer.err);
 }
+
+/// A part on two supports above a table on three joints, and a spindle by itself.
+const MILL: &str = r#"
+process = "fixture"
+workpiece = { material = "steel", length = "200 mm", width = "60 mm", height = "40 mm" }
+support = [{ at = "20 mm" }, { at = "180 mm" }]
+clamp = [{ at = "20 mm", force = "2 kN" }, { at = "180 mm", force = "2 kN" }]
+cutter = { force = "600 N", depth = "DEPTH" }
+sweep = { positions = 11 }
+[effects.force-feedback]
+exponent = 0.8
+[structure]
+material = "cast-iron"
+[structure.nodes]
+a = ["20 mm", "-40 mm"]
+b = ["180 mm", "-40 mm"]
+s = ["100 mm", "100 mm"]
+[structure.ports]
+supports = "table"
+clamps = "table"
+spindle = "s"
+[structure.table]
+between = ["a", "b"]
+width = "200 mm"
+height = "100 mm"
+[structure.along]
+at = "a"
+along = "x"
+stiffness = "100 N/um"
+[structure.left]
+at = "a"
+along = "-y"
+stiffness = "200 N/um"
+[structure.right]
+at = "b"
+along = "y"
+stiffness = "300 N/um"
+[structure.spindle-along]
+at = "s"
+along = "x"
+stiffness = "100 N/um"
+[structure.spindle-square]
+at = "s"
+along = "turning"
+stiffness = "100 kN*m/rad"
+[structure.column]
+at = "s"
+along = "y"
+stiffness = "150 N/um"
+"#;
+
+/// A cutter whose spindle has more clearance than it is set to cut rests on the blank, wherever it stands.
+#[test]
+fn a_cutter_that_is_lifted_across_a_clearance_cuts_nothing() {
+    let place = Place::new();
+    for (depth, left) in [("4 um", 4.0), ("5.9 um", 5.9)] {
+        place.write("mill.toml", format!("{MILL}gap = \"6 um\"\n").replace("DEPTH", depth));
+        assert_eq!(place.fem(&["run", "mill.toml", "-o", "out", "--force"]).status, 0);
+        let heights = place.column("out/profile.csv", "height_error");
+        assert!(heights.iter().all(|own| (own - left).abs() < 1e-9), "{heights:?}");
+    }
+}
+
+/// The force that opens a joint is told as that on the joint, and values that are sought are asked for.
+#[test]
+fn a_joint_that_opens_is_told_with_its_own_force() {
+    let place = Place::new();
+    let contact = "c = \"0.5 um/N^n\"\nn = 0.5\npreload = \"599 N\"\n";
+    let mill = MILL.replace("DEPTH", "4 um").replace("[effects.force-feedback]\nexponent = 0.8\n", "");
+    let opening =
+        format!("{mill}{contact}").replace("along = \"y\"\nstiffness = \"150", "along = \"-y\"\nstiffness = \"150");
+    place.write("mill.toml", opening);
+    let answer = place.fem(&["run", "mill.toml"]);
+    assert_eq!(answer.status, 1, "{}", answer.out);
+    assert!(answer.err.contains("`structure.column` opens under a force of -600"), "{}", answer.err);
+    for sought in ["stiffness = \"? N/um\"", "stiffness = \"150 N/um\"\ngap = \"? um\""] {
+        place.write("mill.toml", mill.replace("stiffness = \"150 N/um\"", sought));
+        let answer = place.fem(&["run", "mill.toml"]);
+        assert!(answer.status != 0 && answer.err.contains("structure.column."), "{}", answer.err);
+    }
+}

@@ -321,11 +321,20 @@ fn a_machine_may_be_drawn_around_a_ring() {
     let seated = good
         .replace("stiffness = \"200 N/um\"", contact)
         .replace("force_per_depth = \"1 kN/mm\"", "force_per_depth = \"1 kN/mm\"\nradial_force = \"200 N\"");
-    place.write("seated.toml", seated);
+    place.write("seated.toml", &seated);
     let answer = place.fem(&["run", "seated.toml", "-o", "seated"]);
     assert_eq!((answer.status, answer.err.as_str()), (0, ""));
     let told = answer.out.lines().find(|line| line.trim_start().starts_with("structure")).unwrap();
     insta::assert_snapshot!("contact_around_a_ring", told);
+    // Values that are sought are asked for, and mistakes told once.
+    for (known, sought) in [("0.2 um/N^n", "? um/N^n"), ("= \"200 N\"", "= \"? N\""), ("200 N/um", "? N/um")] {
+        place.write("sought.toml", seated.replace(known, sought));
+        let answer = place.fem(&["run", "sought.toml"]);
+        assert!(answer.status != 0 && answer.err.contains("is unknown (`?`)"), "{}", answer.err);
+    }
+    place.write("none.toml", seated.replace("= \"200 N\"", "= \"0 N\""));
+    let answer = place.fem(&["run", "none.toml"]);
+    assert_eq!((answer.status, answer.err.matches("radial_force").count()), (2, 2), "{}", answer.err);
 }
 
 /// Short jaws squeeze a wide ring where they press: sections differ, and a file says with `z` which of them it has.

@@ -106,9 +106,9 @@ proptest! {
         let own = observed(&model(&text), "deviation", &[("blank", &blank), ("jaw_force", &[0.0; 8])]);
         let yields = |force: f64| force / 4e7 + 1e-6 * c * force.powf(n);
         let left = |blank: &f64| {
-            // A tool that does not reach the blank leaves it.
+            // A tool that does not reach the blank leaves it: before the mean cut by the mean depth.
             if force + 2e6 * (yields(force) - blank) <= 0.0 {
-                return *blank;
+                return blank - force / 2e6;
             }
             // What gives way more, y, of a depth that is larger by -blank: halved down from all of it to nothing.
             let (mut low, mut high) = (0.0f64.min(-blank), 0.0f64.max(-blank));
@@ -121,6 +121,10 @@ proptest! {
             -0.5 * (low + high)
         };
         alike(&own, &blank.iter().map(left).collect::<Vec<f64>>(), 1e-9)?;
+        // What is held by its bore is cut from outside: larger radii are more to cut.
+        let inside = text.replace("jaw_force", "grip = \"inside\", jaw_force");
+        let own = observed(&model(&inside), "deviation", &[("blank", &blank), ("jaw_force", &[0.0; 8])]);
+        alike(&own, &blank.iter().map(|blank| -left(&-blank)).collect::<Vec<f64>>(), 1e-9)?;
     }
 
     /// Rings of one shape under one strain are of one shape: lengths by s, the modulus by e, forces by s²·e,

@@ -207,7 +207,15 @@ impl Draft {
 
     /// Assembles and factors; what holds nothing is told at the table that is read.
     pub(super) fn factored(self, t: &Reader) -> Option<Drawn> {
-        let Self { structure, nodes, members, sizes, joints, seats, .. } = self;
+        let Self { mut structure, nodes, members, sizes, joints, seats, .. } = self;
+        // What is still sought has no value yet, and nothing is computed before it has: until then it is of a usual size.
+        for spring in structure.springs.iter_mut().filter(|spring| spring.stiffness.is_nan()) {
+            spring.stiffness = SOUGHT;
+        }
+        for (_, member) in &mut structure.members {
+            let rigidities = [&mut member.axial_rigidity, &mut member.flexural_rigidity, &mut member.shear_rigidity];
+            rigidities.into_iter().filter(|own| own.is_nan()).for_each(|own| *own = SOUGHT);
+        }
         let places = structure.nodes.clone();
         let known = t.kept::<Cache<Topology, Plan, 2>>();
         let plan = known.get_or(structure.topology(), Plan::of);
@@ -243,5 +251,7 @@ impl Draft {
     }
 }
 
+/// Stiffness of what is still sought, N/m.
+const SOUGHT: f64 = 1e8;
 /// Distance within which two places are one, m: sums of decimals are rounded.
 pub const NEAR: f64 = 1e-9;

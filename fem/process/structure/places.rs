@@ -68,6 +68,11 @@ impl Places {
         self.laws.is_empty()
     }
 
+    /// Whether every joint is known: one whose values are sought gives way by nothing that could be told.
+    pub fn are_known(&self) -> bool {
+        self.laws.iter().all(Seat::is_known)
+    }
+
     /// The places under forces (N) on some of those that are pushed, by their numbers.
     ///
     /// # Errors
@@ -91,7 +96,13 @@ impl Places {
         let bent_forces = vec![0.0; influence.len()];
         let system = System { influence: &influence, constraint: &self.constraint, bent_forces: &bent_forces };
         let rigid = Joint::default();
-        let all = solve_seated(&[Rubbing::free(&rigid); ENDS], &self.laws, &system, largest, None)?;
+        let all = solve_seated(&[Rubbing::free(&rigid); ENDS], &self.laws, &system, largest, None);
+        // A joint that opens is told with the force on itself, all others as they stand.
+        let told = |error| match error {
+            JointsError::Open { seat, .. } => JointsError::Open { seat, load: unit * on_seats[seat] },
+            other => other,
+        };
+        let all = all.map_err(told)?;
         Ok((all.displacements[ENDS..].to_vec(), all.path[ENDS..].to_vec()))
     }
 }

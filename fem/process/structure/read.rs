@@ -272,6 +272,11 @@ impl Draft {
             if !drawn.contains(name.as_str()) {
                 let known: Vec<&str> = self.nodes.iter().chain(&self.members).map(Name::as_str).collect();
                 let meant = did_you_mean(name, known.iter().copied(), '`');
+                if self.node(name).is_some() {
+                    let message = format!("`{name}` is a node, and a list is of members along x");
+                    t.problem(key, message, format!("name one node alone, {key} = \"{name}\", or members alone"));
+                    return None;
+                }
                 let message = format!("`{name}` is neither a node nor a member");
                 t.problem(key, message, format!("{meant}known are {}", known.join(", ")));
                 return None;
@@ -299,7 +304,8 @@ fn read_seat(t: &Reader) -> Option<Seat> {
     let n = t.quantity("n", NUMBER, "exponent of the contact").bounds(Bounds::Within(0.0, 1.0)).or(0.5);
     let preload = t.quantity("preload", FORCE, "force that holds the contact together without a load");
     let preload = preload.estimated(estimates::PRELOAD).not_negative().or(0.0);
-    let gap = t.quantity("gap", MICRO, "clearance, from the one flank to the other").not_negative().optional();
+    let gap = t.quantity("gap", MICRO, "clearance, from the one flank to the other").estimated(estimates::CLEARANCE);
+    let gap = gap.not_negative().optional();
     match (c, gap) {
         (Some(_), Some(_)) => {
             t.problem("gap", "a joint is a contact or has clearance, not both", "draw two joints behind one another");

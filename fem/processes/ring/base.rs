@@ -29,14 +29,17 @@ impl Base {
         let about = "the machine around the ring: beams and joints in the plane of axis and radial force";
         let read = Draft::read(model, about, read_places);
         let seat = read.as_ref().and_then(|(drawn, _)| Some(&drawn.joints[drawn.seats.first()?.spring]));
+        let is_said = model.has_in("cut", "radial_force");
         match (seat, force) {
+            // What is wrong with it is told already.
+            (Some(_), None) if is_said => return None,
             (Some(name), None) => {
                 let message =
                     format!("`structure.{name}` is no spring, and how hard the cut presses on it is not said");
                 model.problem_in("structure", name, message, "add radial_force = \"200 N\" to [cut], its mean");
                 return None;
             }
-            (None, Some(_)) if !model.is_described() => {
+            (None, Some(_)) if !model.is_described() && (read.is_some() || !model.has("structure")) => {
                 let message = "`radial_force` is for joints of a [structure] that are no springs, and there are none";
                 model.problem_in(
                     "cut",
@@ -53,6 +56,8 @@ impl Base {
         let mut base = Self { drawn: Arc::new(drawn), pushed, places, force, parted: [0.0; 2] };
         match base.under(force) {
             Ok(parted) => base.parted = parted,
+            // Values that are sought come with a search.
+            Err(_) if force.is_nan() || !base.places.are_known() => base.parted = [f64::NAN; 2],
             Err(Failure { message, help }) => {
                 model.problem("structure", message, help);
                 return None;

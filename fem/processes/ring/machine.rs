@@ -98,7 +98,10 @@ impl Machine {
         let away = squeeze + self.warmth + x * point.angle.cos() + y * point.angle.sin();
         let commanded = self.command.as_ref().map_or(0.0, |command| command.at(point.angle, &[]));
         let (nose, found) = (commanded + all(&self.moves), point.blank + away);
-        Ok(nose - self.given_way(nose - found)? - away + all(&self.released))
+        // A bore is cut outwards, and what is held by its bore inwards.
+        let inwards = self.setup.grip.inwards();
+        let given_way = inwards * self.given_way(inwards * (nose - found))?;
+        Ok(nose - given_way - away + all(&self.released))
     }
 
     /// How far tool and spindle part where the depth of cut is larger by some (m) than in the mean, m.
@@ -114,9 +117,10 @@ impl Machine {
             let [farther, rate] = base.farther(force)?;
             Ok([farther + self.yielding * (force - mean), rate + self.yielding])
         };
-        // Where the cut takes away less than nothing the tool does not touch.
+        // Where less than nothing would be cut the tool does not touch, and the blank is left, which lies before the cut of
+        // the mean by the depth of the mean.
         if per_depth * (deeper - parted(0.0)?[0]) <= -mean {
-            return Ok(deeper);
+            return Ok(deeper + mean / per_depth);
         }
         balanced(deeper, linear(self.yielding + base.compliance()), |left| {
             let [parted, rate] = parted((mean + per_depth * left).max(0.0))?;
