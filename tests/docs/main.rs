@@ -12,6 +12,8 @@ mod materials;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use rayon::prelude::*;
+
 /// A command of a page.
 struct Step {
     line: String,
@@ -85,42 +87,49 @@ fn pages() -> Vec<PathBuf> {
 
 #[test]
 fn commands_print_what_the_pages_say() {
+    // Pages know nothing of each other.
+    let pages: Vec<(usize, String)> = pages().par_iter().map(|page| checked(page)).collect();
+    let others: String = pages.iter().map(|(_, others)| others.as_str()).collect();
+    assert!(others.is_empty(), "{others}");
+    let count: usize = pages.iter().map(|(count, _)| count).sum();
+    assert!(count > 10, "only {count} commands were found");
+}
+
+/// Number of the commands of a page, and what they print otherwise than it says.
+fn checked(page: &Path) -> (usize, String) {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let (mut count, mut others) = (0, String::new());
-    for page in pages() {
-        let place = tempfile::tempdir().unwrap();
-        for folder in ["models", "meshes", "tests/data/real", "tests/data/seeds"] {
-            copy(&root.join(folder), &place.path().join(folder));
-        }
-        let text = std::fs::read_to_string(&page).unwrap();
-        for (name, shown) in files(&text) {
-            std::fs::write(place.path().join(name), shown).unwrap();
-        }
-        for step in steps(&text) {
-            let words = words(&step.line);
-            assert_eq!(words[0], "fem", "{}: {}", page.display(), step.line);
-            let answer = Command::new(env!("CARGO_BIN_EXE_fem"))
-                .args(&words[1..])
-                .current_dir(place.path())
-                .env("NO_COLOR", "1")
-                .output()
-                .unwrap();
-            let told = |bytes: &[u8]| {
-                let text = String::from_utf8_lossy(bytes);
-                text.lines().map(|line| format!("{}\n", line.trim_end())).collect::<String>()
-            };
-            let (out, err) = (told(&answer.stdout), told(&answer.stderr));
-            assert_eq!(answer.status.code(), Some(step.status), "{}: {}\n{err}", page.display(), step.line);
-            let shown = if step.status == 0 { out } else { err };
-            let result = snapbox::Assert::new().try_eq(Some(&step.line), shown.into(), step.expected.into());
-            if let Err(difference) = result {
-                others += &format!("{}: {difference}\n", page.display());
-            }
-            count += 1;
-        }
+    let place = tempfile::tempdir().unwrap();
+    for folder in ["models", "meshes", "tests/data/real", "tests/data/seeds"] {
+        copy(&root.join(folder), &place.path().join(folder));
     }
-    assert!(others.is_empty(), "{others}");
-    assert!(count > 10, "only {count} commands were found");
+    let text = std::fs::read_to_string(page).unwrap();
+    for (name, shown) in files(&text) {
+        std::fs::write(place.path().join(name), shown).unwrap();
+    }
+    for step in steps(&text) {
+        let words = words(&step.line);
+        assert_eq!(words[0], "fem", "{}: {}", page.display(), step.line);
+        let answer = Command::new(env!("CARGO_BIN_EXE_fem"))
+            .args(&words[1..])
+            .current_dir(place.path())
+            .env("NO_COLOR", "1")
+            .output()
+            .unwrap();
+        let told = |bytes: &[u8]| {
+            let text = String::from_utf8_lossy(bytes);
+            text.lines().map(|line| format!("{}\n", line.trim_end())).collect::<String>()
+        };
+        let (out, err) = (told(&answer.stdout), told(&answer.stderr));
+        assert_eq!(answer.status.code(), Some(step.status), "{}: {}\n{err}", page.display(), step.line);
+        let shown = if step.status == 0 { out } else { err };
+        let result = snapbox::Assert::new().try_eq(Some(&step.line), shown.into(), step.expected.into());
+        if let Err(difference) = result {
+            others += &format!("{}: {difference}\n", page.display());
+        }
+        count += 1;
+    }
+    (count, others)
 }
 
 /// Diameter error (m) of a steel shaft of 40 mm by 500 mm between centres of 60 and 40 N/um under 400 N, x from the
