@@ -29,10 +29,7 @@ impl Base {
         let about = "the machine around the ring: beams and joints in the plane of axis and radial force";
         let read = Draft::read(model, about, read_places);
         let seat = read.as_ref().and_then(|(drawn, _)| Some(&drawn.joints[drawn.seats.first()?.spring]));
-        let is_said = model.has_in("cut", "radial_force");
         match (seat, force) {
-            // What is wrong with it is told already.
-            (Some(_), None) if is_said => return None,
             (Some(name), None) => {
                 let message =
                     format!("`structure.{name}` is no spring, and how hard the cut presses on it is not said");

@@ -22,9 +22,7 @@ const FRAMES: usize = 60;
 /// # Errors
 /// The body cannot be computed.
 pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
-    let Asked { looks, readings, run } = Asked::of(machine, rows)?;
-    let values = read(machine, &looks, &readings, &run)?;
-    Ok(completed(machine, rows, values))
+    Asked::of(machine, rows)?.observed(machine, rows)
 }
 
 /// The same of the rows of the model's own programme: a plane body is followed once for them and for all else that is told of it.
@@ -32,10 +30,11 @@ pub fn observe(machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
 /// # Errors
 /// The body cannot be computed.
 pub fn predict(machine: &Machine, programme: &Rows) -> Result<Vec<f64>, Failure> {
-    let Asked { mut looks, readings, run } = Asked::of(machine, programme)?;
-    if machine.setup.body.plane().is_none() || run != self::run(machine)? {
-        return observe(machine, programme);
+    let asked = Asked::of(machine, programme)?;
+    if machine.setup.body.plane().is_none() || asked.run != run(machine)? {
+        return asked.observed(machine, programme);
     }
+    let Asked { mut looks, readings, run } = asked;
     for look in looks_at_shape(&machine.setup) {
         if !looks.contains(&look) {
             looks.push(look);
@@ -72,6 +71,11 @@ impl Asked {
         let run = Run { end, ..run_for(machine, &looks, &readings)? };
         refuse_too_many_steps(&run)?;
         Ok(Self { looks, readings, run })
+    }
+
+    /// What the rows show.
+    fn observed(&self, machine: &Machine, rows: &Rows) -> Result<Vec<f64>, Failure> {
+        Ok(completed(machine, rows, read(machine, &self.looks, &self.readings, &self.run)?))
     }
 }
 
