@@ -87,16 +87,24 @@ struct Outlook {
     /// Announced units, and when they were last more than before.
     total: u64,
     grown: Duration,
+    /// Finished units, and when they were last fewer.
+    finished: u64,
+    advanced: Duration,
 }
 
 impl Outlook {
     /// Time for which what is announced must have stayed the same.
     const SETTLED: Duration = Duration::from_secs(3);
+    /// Times that a unit may take of what the finished ones took: beyond it they are no measure of the rest.
+    const PATIENCE: f64 = 1.5;
 
     fn look(&mut self, progress: &Progress, so_far: Duration) {
-        let total = progress.read().1;
+        let (finished, total) = progress.read();
         if total > self.total {
             (self.total, self.grown) = (total, so_far);
+        }
+        if finished > self.finished {
+            (self.finished, self.advanced) = (finished, so_far);
         }
     }
 
@@ -105,8 +113,10 @@ impl Outlook {
         let (finished, total) = progress.read();
         // Nothing is known of what comes: neither before the first part of it, nor behind the last.
         let is_known = finished > 0 && finished < total && so_far >= self.grown + Self::SETTLED;
+        let usual = self.advanced.as_secs_f64() / self.finished as f64;
+        let is_usual = so_far.saturating_sub(self.advanced).as_secs_f64() <= Self::PATIENCE * usual;
         let part = finished as f64 / total as f64;
-        is_known.then(|| (part, so_far.as_secs_f64() * (1.0 / part - 1.0)))
+        (is_known && is_usual).then(|| (part, so_far.as_secs_f64() * (1.0 / part - 1.0)))
     }
 
     /// How far a computation is: `computing for 10 s, 40 % done, about 15 s left`.
@@ -149,12 +159,15 @@ mod tests {
         assert_eq!(outlook.line(&progress, second(5)), unknown);
         progress.expect(4);
         progress.advance(1);
-        outlook.look(&progress, second(1));
-        assert_eq!(outlook.line(&progress, second(5)), "computing for 5 s, 25 % done, about 15 s left");
+        outlook.look(&progress, second(4));
+        assert_eq!(outlook.line(&progress, second(8)), "computing for 8 s, 25 % done, about 24 s left");
+        // One that takes longer than those before it says nothing of the others.
+        let late = "computing for 11 s; how much is left shows as it goes";
+        assert_eq!(outlook.line(&progress, second(11)), late);
         // A search that looks further does not know how far.
         progress.expect(1);
         outlook.look(&progress, second(5));
         assert_eq!(outlook.line(&progress, second(5)), unknown);
-        assert_eq!(outlook.line(&progress, second(8)), "computing for 8 s, 20 % done, about 32 s left");
+        assert_eq!(outlook.line(&progress, second(9)), "computing for 9 s, 20 % done, about 36 s left");
     }
 }

@@ -110,29 +110,71 @@ pub(super) const FUNCTIONS: &[Function] = &[
     function("atan2", 2, Units::Ratio, |v| v[0].atan2(v[1])),
 ];
 
+/// Rows that are computed together.
+pub const ROWS: usize = 8;
+
+/// Values in some rows.
+#[derive(Clone, Copy, Debug)]
+pub enum Column {
+    /// The same in all.
+    Same(f64),
+    /// One in each.
+    Each([f64; ROWS]),
+}
+
+impl Column {
+    /// These values, as one where they are the same to the last bit: what depends on them is then computed once.
+    pub fn new(values: [f64; ROWS]) -> Self {
+        match values.iter().all(|value| value.to_bits() == values[0].to_bits()) {
+            true => Self::Same(values[0]),
+            false => Self::Each(values),
+        }
+    }
+
+    /// The value in a row, below [`ROWS`].
+    pub fn at(&self, row: usize) -> f64 {
+        match self {
+            Self::Same(value) => *value,
+            Self::Each(values) => values[row],
+        }
+    }
+
+    fn map(self, of: impl Fn(f64) -> f64) -> Self {
+        match self {
+            Self::Same(value) => Self::Same(of(value)),
+            Self::Each(values) => Self::Each(values.map(of)),
+        }
+    }
+
+    fn with(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
+        match (self, other) {
+            (Self::Same(a), Self::Same(b)) => Self::Same(of(a, b)),
+            (a, b) => Self::Each(std::array::from_fn(|row| of(a.at(row), b.at(row)))),
+        }
+    }
+}
+
 impl Expression {
-    pub(super) fn value(&self, names: &[f64]) -> f64 {
+    pub(super) fn values(&self, names: &[Column]) -> Column {
         match &self.node {
-            Node::Number(value) => *value,
+            Node::Number(value) => Column::Same(*value),
             Node::Name(i) => names[*i],
-            Node::Negative(of) => -of.value(names),
+            Node::Negative(of) => of.values(names).map(|value| -value),
             Node::Binary(operator, a, b) => {
-                let (a, b) = (a.value(names), b.value(names));
+                let (a, b) = (a.values(names), b.values(names));
                 match operator {
-                    Operator::Add => a + b,
-                    Operator::Subtract => a - b,
-                    Operator::Multiply => a * b,
-                    Operator::Divide => a / b,
-                    Operator::Power => a.powf(b),
+                    Operator::Add => a.with(b, |a, b| a + b),
+                    Operator::Subtract => a.with(b, |a, b| a - b),
+                    Operator::Multiply => a.with(b, |a, b| a * b),
+                    Operator::Divide => a.with(b, |a, b| a / b),
+                    Operator::Power => a.with(b, f64::powf),
                 }
             }
-            Node::Call(function, arguments) => {
-                let mut values = [0.0; 2];
-                for (value, argument) in values.iter_mut().zip(arguments) {
-                    *value = argument.value(names);
-                }
-                (function.value)(&values)
-            }
+            Node::Call(function, arguments) => match &arguments[..] {
+                [one] => one.values(names).map(|a| (function.value)(&[a])),
+                [one, other] => one.values(names).with(other.values(names), |a, b| (function.value)(&[a, b])),
+                _ => Column::Same(f64::NAN),
+            },
         }
     }
 }

@@ -8,7 +8,7 @@ mod check;
 mod expression;
 mod parse;
 
-pub use expression::{Formula, FormulaError, Name};
+pub use expression::{Column, Formula, FormulaError, Name, ROWS};
 
 use crate::units::Dimension;
 
@@ -40,7 +40,13 @@ impl Formula {
 
     /// The value, when the names have these (SI).
     pub fn value(&self, of_names: &[f64]) -> f64 {
-        self.root.value(of_names)
+        let of_names: Vec<Column> = of_names.iter().map(|value| Column::Same(*value)).collect();
+        self.values(&of_names).at(0)
+    }
+
+    /// The values in some rows, when the names have these (SI).
+    pub fn values(&self, of_names: &[Column]) -> Column {
+        self.root.values(of_names)
     }
 }
 
@@ -73,6 +79,29 @@ mod tests {
         ] {
             assert!((value(text) - expected).abs() < 1e-15, "{text} = {}", value(text));
         }
+    }
+
+    /// Row by row the same to the last bit, whether a name is the same in all of them or not.
+    #[test]
+    fn rows_are_computed_as_each_by_itself() {
+        let text = "-a*exp(-x/tau)^1.3 + atan2(x, tau)/(1 + mod(x*a, 3)) - max(tau, a)";
+        let formula = Formula::parse(text).unwrap();
+        let x: [f64; ROWS] = std::array::from_fn(|i| (0.7 * i as f64 - 2.0).sin());
+        for names in [
+            [Column::Same(1.3), Column::new(x), Column::Same(0.4)],
+            [Column::new(x), Column::Same(-0.2), Column::new(x)],
+        ] {
+            let together = formula.values(&names);
+            for row in 0..ROWS {
+                let alone = formula.value(&names.map(|name| name.at(row)));
+                assert_eq!(together.at(row).to_bits(), alone.to_bits(), "row {row}");
+            }
+        }
+        // What names nothing that differs is computed once.
+        assert!(matches!(formula.values(&[0.5; 3].map(|own| Column::new([own; ROWS]))), Column::Same(_)));
+        // A sum of as many terms as a formula has room for is no overflow.
+        let sum = Formula::parse(&vec!["x"; 2000].join("+")).unwrap();
+        assert_eq!(sum.values(&[Column::new(x)]).at(1), (0..1999).fold(x[1], |sum, _| sum + x[1]));
     }
 
     #[test]

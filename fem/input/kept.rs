@@ -10,6 +10,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 pub struct Kept {
     /// By its type; edited models share it.
     results: Arc<Mutex<HashMap<TypeId, Entry>>>,
+    /// By its type, of these tables alone.
+    readings: Arc<Mutex<HashMap<TypeId, Entry>>>,
     /// What tables were read as, by their paths.
     tables: Arc<Mutex<HashMap<String, Entry>>>,
 }
@@ -21,18 +23,27 @@ fn lock<K>(map: &Mutex<HashMap<K, Entry>>) -> MutexGuard<'_, HashMap<K, Entry>> 
     map.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+fn entry<T: Any + Default + Send + Sync>(of: &Mutex<HashMap<TypeId, Entry>>) -> Arc<T> {
+    let mut all = lock(of);
+    let entry = all.entry(TypeId::of::<T>()).or_insert_with(|| Arc::new(T::default()));
+    entry.clone().downcast().unwrap_or_default()
+}
+
 impl Kept {
     /// The entry of this type, empty at first.
     pub fn get<T: Any + Default + Send + Sync>(&self) -> Arc<T> {
-        let mut all = lock(&self.results);
-        let entry = all.entry(TypeId::of::<T>()).or_insert_with(|| Arc::new(T::default()));
-        entry.clone().downcast().unwrap_or_default()
+        entry(&self.results)
+    }
+
+    /// The same of an entry that depends on what the tables hold.
+    pub fn of_tables<T: Any + Default + Send + Sync>(&self) -> Arc<T> {
+        entry(&self.readings)
     }
 
     /// The same for a model with other tables: what was read of those is forgotten.
     #[must_use]
     pub fn with_other_tables(&self) -> Self {
-        Self { results: self.results.clone(), tables: Arc::default() }
+        Self { results: self.results.clone(), ..Self::default() }
     }
 
     /// What the table of this path was read as.

@@ -50,7 +50,7 @@ pub struct Found {
 }
 
 /// Values (SI) to take in place of those of the file.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Instead {
     /// Of quantities that are not exactly known, and stay so: a search tries them.
     pub tried: HashMap<ParameterId, f64>,

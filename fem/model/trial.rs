@@ -3,9 +3,15 @@
 use std::sync::Arc;
 
 use super::{Model, Place, place_among, places, read, recorded};
-use crate::input::{Instead, ParameterId, Reader};
+use crate::input::{Cache, Instead, ParameterId, Reader};
 use crate::noise::{self, MEASUREMENT, Term};
 use crate::process::{Active, Command, Failure, ForwardModel, ON_TRIAL, System};
+
+/// What a model is read as with other values: the machine, its effects and those of the measurement.
+type Parts = (Arc<dyn System>, Vec<Active>, Vec<Term>);
+
+/// The last few of them: derivatives by the values of effects that are on trial ask for the same machine.
+type Readings = Cache<Instead, Parts, 4>;
 
 impl Model {
     /// The model with values (SI) entered for quantities, by their paths: known, whatever the file says of them. The
@@ -28,8 +34,8 @@ impl Model {
             }
             None => {
                 let entered = model.entered.clone();
-                (model.system, model.effects, model.measurement) =
-                    self.read_instead(Instead { entered, ..Instead::default() })?;
+                let read = self.read_instead(Instead { entered, ..Instead::default() })?;
+                (model.system, model.effects, model.measurement) = read;
             }
         }
         Ok(model)
@@ -142,26 +148,28 @@ impl Model {
     }
 
     /// Reads the file again with other values.
-    #[expect(clippy::type_complexity, reason = "the parts of a model, taken apart at once")]
-    fn read_at(&self, values: &[f64]) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
+    fn read_at(&self, values: &[f64]) -> Result<Parts, Failure> {
         let tried = self.parameters.iter().map(|p| p.path.clone()).zip(values.iter().copied()).collect();
         self.read_instead(Instead { tried, entered: self.entered.clone() })
     }
 
-    #[expect(clippy::type_complexity, reason = "the parts of a model, taken apart at once")]
-    fn read_instead(&self, instead: Instead) -> Result<(Arc<dyn System>, Vec<Active>, Vec<Term>), Failure> {
-        let ((_, _, system, effects, terms, _), found) =
-            Reader::of_file(self.tables.now(), self.source.folder(), &self.kept, instead, |model| {
-                recorded::read(model, &*self.process, &[]);
-                read(model, &*self.process)
-            });
-        match (system, found.problems.first()) {
-            (Some(system), None) => Ok((system, effects, terms)),
-            (_, problem) => Err(Failure {
-                message: problem.map_or("the values make no model".into(), |p| p.message.clone()),
-                help: problem.and_then(|p| p.help.clone()).unwrap_or_default(),
-            }),
-        }
+    fn read_instead(&self, instead: Instead) -> Result<Parts, Failure> {
+        let known = self.kept.of_tables::<Readings>();
+        let parts = known.get_or(instead, |instead| {
+            let ((_, _, system, effects, terms, _), found) =
+                Reader::of_file(self.tables.now(), self.source.folder(), &self.kept, instead.clone(), |model| {
+                    recorded::read(model, &*self.process, &[]);
+                    read(model, &*self.process)
+                });
+            match (system, found.problems.first()) {
+                (Some(system), None) => Ok((system, effects, terms)),
+                (_, problem) => Err(Failure {
+                    message: problem.map_or("the values make no model".into(), |p| p.message.clone()),
+                    help: problem.and_then(|p| p.help.clone()).unwrap_or_default(),
+                }),
+            }
+        })?;
+        Ok((*parts).clone())
     }
 
     /// Effects, of the machine and of the measurement, with other values, if nothing else is unknown; the

@@ -2,7 +2,7 @@
 //! what the model predicts, its quantities and the effect's own parameters, added to what is observed.
 
 use super::{Holds, Rows};
-use crate::formula::Formula;
+use crate::formula::{Column, Formula, ROWS};
 use crate::units::Dimension;
 
 /// The law of a formula effect.
@@ -63,21 +63,34 @@ impl FormulaLaw {
     /// Adds it to the values of rows, SI; `rows` with every coordinate resolved, and `predicted` what they were before any
     /// formula.
     pub(super) fn add_to(&self, values: &mut [f64], (rows, predicted): (&Rows, &[f64]), parameters: &[f64]) {
-        let mut names = vec![0.0; self.meanings.len()];
-        for (row, value) in values.iter_mut().enumerate() {
-            if !self.adds_to[rows.observable[row]] {
+        let of_all = |meaning: &Meaning| match *meaning {
+            Meaning::Parameter(i) => Column::Same(parameters[i]),
+            Meaning::Quantity(value) => Column::Same(value),
+            _ => Column::Same(f64::NAN),
+        };
+        let mut names: Vec<Column> = self.meanings.iter().map(of_all).collect();
+        for first in (0..values.len()).step_by(ROWS) {
+            let own = first..values.len().min(first + ROWS);
+            if !own.clone().any(|row| self.adds_to[rows.observable[row]]) {
                 continue;
             }
+            // The last of them stands for those that are missing in the end.
+            let of_rows =
+                |of: &dyn Fn(usize) -> f64| Column::new(std::array::from_fn(|i| of((first + i).min(own.end - 1))));
             for (name, meaning) in names.iter_mut().zip(&self.meanings) {
-                *name = match *meaning {
-                    Meaning::Coordinate(column) => rows.columns[column][row],
-                    Meaning::Recorded(column, usual) => rows.get(column, row).unwrap_or(usual),
-                    Meaning::Prediction => predicted[row],
-                    Meaning::Parameter(i) => parameters[i],
-                    Meaning::Quantity(value) => value,
-                };
+                match *meaning {
+                    Meaning::Coordinate(column) => *name = of_rows(&|row| rows.columns[column][row]),
+                    Meaning::Recorded(column, usual) => *name = of_rows(&|row| rows.get(column, row).unwrap_or(usual)),
+                    Meaning::Prediction => *name = of_rows(&|row| predicted[row]),
+                    Meaning::Parameter(_) | Meaning::Quantity(_) => {}
+                }
             }
-            *value += self.formula.value(&names);
+            let added = self.formula.values(&names);
+            for row in own {
+                if self.adds_to[rows.observable[row]] {
+                    values[row] += added.at(row - first);
+                }
+            }
         }
     }
 }

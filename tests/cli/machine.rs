@@ -50,6 +50,12 @@ const MISTAKES: &[Mistake] = &[
     ("clamps = \"table\"", "clamps = \"tabel\"", "`tabel` is neither a node nor a member", "table"),
     ("clamps = \"table\"", "", "`clamps` is missing", "add clamps ="),
     (
+        "clamps = \"table\"",
+        "clamps = [\"table\", \"spindle\"]",
+        "`spindle` is a node, and a list is of members along x",
+        "clamps = \"spindle\"",
+    ),
+    (
         "spindle = \"spindle\"",
         "spindle = \"table\"",
         "members do not say where on them the cutter is held",
@@ -167,4 +173,39 @@ fn a_joint_that_opens_is_told_with_its_own_force() {
         let answer = place.fem(&["run", "mill.toml"]);
         assert!(answer.status != 0 && answer.err.contains("structure.column."), "{}", answer.err);
     }
+}
+
+/// A written clearance is on trial as other estimates are: a foot of the table that stands 2.5 um above the floor.
+#[test]
+fn a_clearance_of_a_drawn_joint_is_on_trial() {
+    let place = Place::new();
+    let foot = "[structure.foot]\nat = \"m\"\nalong = \"-y\"\nstiffness = \"300 N/um\"\ngap = \"GAP\"\n";
+    let half = "[structure.half]\nbetween = [\"m\", \"b\"]\nwidth = \"200 mm\"\nheight = \"100 mm\"\n";
+    let mill = MILL
+        .replace("DEPTH", "1 mm")
+        .replace("[effects.force-feedback]\nexponent = 0.8\n", "")
+        .replace("along = \"y\"\nstiffness = \"300", "along = \"-y\"\nstiffness = \"300")
+        .replace("between = [\"a\", \"b\"]", "between = [\"a\", \"m\"]")
+        .replace("= \"table\"", "= [\"table\", \"half\"]")
+        .replace("\ns = [", "\nm = [\"100 mm\", \"-40 mm\"]\ns = [");
+    let mill = mill + half + foot;
+    let mut measured = "x [mm],cutter_force [N],height_error [um],u [um]\n".to_owned();
+    for (number, force) in [100, 400, 800, 1500].into_iter().enumerate() {
+        let text = mill.replace("GAP", "2.5 um").replace("600 N", &format!("{force} N"));
+        place.write("true.toml", text);
+        let answer = place.fem(&["run", "true.toml", "-o", "out", "--force"]);
+        assert_eq!(answer.status, 0, "{}", answer.err);
+        let heights = place.column("out/profile.csv", "height_error");
+        for (i, height) in heights.iter().enumerate() {
+            // Even over 0.14 um, one value like no other.
+            let mixed = ((11 * number + i) as u32).wrapping_mul(2_654_435_761);
+            let mixed = (mixed ^ (mixed >> 15)).wrapping_mul(2_246_822_519);
+            let noise = 0.14 * (f64::from(mixed) / f64::from(u32::MAX) - 0.5);
+            measured += &format!("{},{force},{},0.04\n", 20 * i, height + noise);
+        }
+    }
+    place.write("measured.csv", measured);
+    place.write("mill.toml", mill.replace("GAP", "1 um"));
+    let answer = place.fem(&["diagnose", "mill.toml", "--with", "measured.csv"]);
+    assert!(answer.out.contains("missing: structure.foot.gap;"), "{}{}", answer.out, answer.err);
 }

@@ -1,5 +1,8 @@
 //! Complex numbers of several points of a contour, worked on side by side.
 
+use std::iter::Sum;
+use std::ops::Mul;
+
 use nalgebra::Complex;
 
 /// Numbers side by side.
@@ -92,5 +95,22 @@ impl Lanes {
             left /= 2;
         }
         all
+    }
+}
+
+impl Mul<f64> for Lanes {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0.map(|part| part.map(|value| factor * value)))
+    }
+}
+
+impl Sum for Lanes {
+    fn sum<I: Iterator<Item = Self>>(all: I) -> Self {
+        all.fold(Self::default(), |mut sum, own| {
+            sum.add(&own, 1.0);
+            sum
+        })
     }
 }

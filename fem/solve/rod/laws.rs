@@ -1,5 +1,8 @@
 //! How the steps of a programme act at the points of a contour: the same for every rod and input.
 
+use std::iter::Sum;
+use std::ops::{Mul, Range};
+
 use nalgebra::Complex;
 
 use super::Scheme;
@@ -23,6 +26,9 @@ pub struct Programme {
     pub times: Vec<f64>,
 }
 
+/// A mark, by its position, and the weight with which it is read.
+type Mark = (usize, f64);
+
 /// Most stages of a scheme.
 pub const STAGES: usize = 2;
 
@@ -40,7 +46,7 @@ pub struct Laws {
     /// Numbers of steps (0 is the start) whose ends are read, rising.
     pub marks: Vec<usize>,
     /// For every time the marks by which it is read, with their weights.
-    pub looks: Vec<Vec<(usize, f64)>>,
+    pub looks: Vec<Vec<Mark>>,
     /// The equal steps of every interval.
     pub stretches: Vec<Stretch>,
 }
@@ -62,11 +68,22 @@ pub struct Stretch {
     /// Number of steps.
     pub steps: usize,
     /// Marks within.
-    pub marks: std::ops::Range<usize>,
-    /// Factor by which the z at the beginning has decayed at every mark: for each all points.
+    pub marks: Range<usize>,
+    /// Times that are read by marks within.
+    pub looks: Vec<Look>,
+    /// Factor by which the z at the beginning has decayed as each of `looks` reads it: for each all points.
     pub left: Vec<Lanes>,
     /// The same at the end.
     pub left_in_the_end: Vec<Lanes>,
+}
+
+/// A time that is read by marks of a stretch.
+#[derive(Debug)]
+pub struct Look {
+    /// Position among the times.
+    pub time: usize,
+    /// Positions among the marks of the stretch, with their weights.
+    marks: Vec<Mark>,
 }
 
 impl Laws {
@@ -79,7 +96,7 @@ impl Laws {
         let contour = programme.reach.contour();
         let steps = Steps::between(&programme.intervals, programme.step);
         let read = |time: &f64| weights(&steps.times, &steps.switches, *time).collect::<Vec<_>>();
-        let mut looks: Vec<Vec<(usize, f64)>> = programme.times.iter().map(read).collect();
+        let mut looks: Vec<Vec<Mark>> = programme.times.iter().map(read).collect();
         let mut marks: Vec<usize> = looks.iter().flatten().map(|look| look.0).collect();
         marks.sort_unstable();
         marks.dedup();
@@ -98,7 +115,7 @@ impl Laws {
             // The first step is halved towards the switch.
             let (last, end) = (of_step[ends[1] - 1], ends[1]);
             let from = (ends[0]..end).find(|step| of_step[*step] == last).unwrap_or(end);
-            Stretch::new(from, end - from, &marks, &laws[last])
+            Stretch::new(from, end - from, (&marks, &looks), &laws[last])
         };
         let stretches = steps.switches.windows(2).map(stretch).collect();
         Self { contour, stretches, steps, lengths, of_step, laws, marks, looks }
@@ -106,9 +123,8 @@ impl Laws {
 }
 
 impl Stretch {
-    fn new(from: usize, steps: usize, marks: &[usize], laws: &[Law]) -> Self {
+    fn new(from: usize, steps: usize, (marks, looks): (&[usize], &[Vec<Mark>]), laws: &[Law]) -> Self {
         let own = marks.partition_point(|mark| *mark <= from)..marks.partition_point(|mark| *mark <= from + steps);
-        let mut left = Vec::with_capacity(own.len() * laws.len());
         let mut now = vec![Lanes::ONE; laws.len()];
         let mut at = from;
         let mut forward = |to: usize| {
@@ -116,8 +132,24 @@ impl Stretch {
             at = to;
             now.clone()
         };
-        marks[own.clone()].iter().for_each(|mark| left.extend(forward(*mark)));
-        Self { from, steps, marks: own, left, left_in_the_end: forward(from + steps) }
+        let at_marks: Vec<Vec<Lanes>> = marks[own.clone()].iter().map(|mark| forward(*mark)).collect();
+        let looks: Vec<Look> = (0..).zip(looks).filter_map(|(time, look)| Look::new(time, look, &own)).collect();
+        let left = looks.iter().flat_map(|look| (0..laws.len()).map(|group| look.read(|mark| at_marks[mark][group])));
+        Self { from, steps, left: left.collect(), marks: own, looks, left_in_the_end: forward(from + steps) }
+    }
+}
+
+impl Look {
+    /// What a time is read by within a stretch of these marks, if it is.
+    fn new(time: usize, look: &[Mark], stretch: &Range<usize>) -> Option<Self> {
+        let within = look.iter().filter(|(mark, _)| stretch.contains(mark));
+        let marks: Vec<_> = within.map(|(mark, weight)| (mark - stretch.start, *weight)).collect();
+        (!marks.is_empty()).then_some(Self { time, marks })
+    }
+
+    /// Reads what is known at the marks of the stretch.
+    pub fn read<T: Sum + Mul<f64, Output = T>>(&self, at: impl Fn(usize) -> T) -> T {
+        self.marks.iter().map(|(mark, weight)| at(*mark) * *weight).sum()
     }
 }
 

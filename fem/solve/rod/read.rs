@@ -111,12 +111,9 @@ impl RodSystem {
                 let response = known.responses.get_or(input, |input| Ok(input.response(&laws)))?;
                 seen.add(&own[groups * term.inlet..][..groups], term.factor, &response);
             }
-            shown.push(seen.at_marks());
+            shown.push(seen.at_times());
         }
-        let one = |((sensor, _), place): (&(usize, f64), &usize)| {
-            laws.looks[*place].iter().map(|(mark, weight)| weight * shown[*sensor][*mark]).sum()
-        };
-        Ok(readings.iter().zip(&places).map(one).collect())
+        Ok(readings.iter().zip(&places).map(|((sensor, _), place)| shown[*sensor][*place]).collect())
     }
 
     /// The inlets through which something comes, and what comes in through each.
@@ -167,51 +164,54 @@ impl RodSystem {
     }
 }
 
-/// Readings of a sensor at the marks, summed up over the inputs.
+/// Readings of a sensor at all times, summed up over the inputs.
 struct Seen<'l> {
     laws: &'l Laws,
-    marks: Vec<f64>,
-    /// Coefficient, in every stretch, of the decay of the z at its beginning.
-    first: Vec<Vec<Lanes>>,
+    times: Vec<f64>,
+    /// Coefficient, in every stretch, of the decay of the z at its beginning: for each all points.
+    first: Vec<Lanes>,
 }
 
 impl<'l> Seen<'l> {
     fn new(laws: &'l Laws) -> Self {
-        let first = vec![vec![Lanes::default(); laws.groups()]; laws.stretches.len()];
-        Self { laws, marks: vec![0.0; laws.marks.len()], first }
+        let first = vec![Lanes::default(); laws.groups() * laws.stretches.len()];
+        Self { laws, times: vec![0.0; laws.looks.len()], first }
     }
 
     /// Adds a response through its transfer.
     fn add(&mut self, transfer: &[Lanes], factor: f64, response: &Response) {
-        for (mark, shown) in &response.marks {
+        for (time, shown) in &response.stepped {
             let sum: f64 = transfer.iter().zip(shown).map(|(a, b)| a.product_sum(b)).sum();
-            self.marks[*mark] += factor * sum;
+            self.times[*time] += factor * sum;
         }
         let whole = |all: &[Lanes]| {
             let mut sum = Lanes::default();
             transfer.iter().zip(all).for_each(|(a, b)| sum.add(&a.times(b), factor));
             sum.sum()
         };
-        for ((closed, stretch), first) in response.stretches.iter().zip(&self.laws.stretches).zip(&mut self.first) {
+        let first = self.first.chunks_exact_mut(transfer.len());
+        for ((closed, stretch), first) in response.stretches.iter().zip(&self.laws.stretches).zip(first) {
             for ((first, transfer), own) in first.iter_mut().zip(transfer).zip(&closed.first) {
                 first.add(&transfer.times(own), factor);
             }
             let waves: Vec<_> = closed.waves.iter().map(|wave| whole(wave)).collect();
             let kept = whole(&closed.kept).im;
-            for (mark, (turns, left)) in self.marks[stretch.marks.clone()].iter_mut().zip(&closed.turns) {
-                let turned: f64 = waves.iter().zip(turns).map(|(wave, turn)| (wave * turn).im).sum();
-                *mark += turned + kept * left;
+            let turns = closed.turns.chunks_exact(waves.len()).zip(&closed.left);
+            for (look, (turns, left)) in stretch.looks.iter().zip(turns) {
+                let turned: f64 =
+                    waves.iter().zip(turns).map(|(wave, turn)| wave.re * turn.im + wave.im * turn.re).sum();
+                self.times[look.time] += turned + kept * left;
             }
         }
     }
 
-    fn at_marks(mut self) -> Vec<f64> {
-        for (stretch, first) in self.laws.stretches.iter().zip(&self.first) {
-            let left = stretch.left.chunks_exact(first.len());
-            for (mark, left) in self.marks[stretch.marks.clone()].iter_mut().zip(left) {
-                *mark += first.iter().zip(left).map(|(a, b)| a.product_sum(b)).sum::<f64>();
+    fn at_times(mut self) -> Vec<f64> {
+        let groups = self.laws.groups();
+        for (stretch, first) in self.laws.stretches.iter().zip(self.first.chunks_exact(groups)) {
+            for (look, left) in stretch.looks.iter().zip(stretch.left.chunks_exact(groups)) {
+                self.times[look.time] += first.iter().zip(left).map(|(a, b)| a.product_sum(b)).sum::<f64>();
             }
         }
-        self.marks
+        self.times
     }
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use nalgebra::Complex;
 
 use super::lanes::{LANES, Lanes};
-use super::laws::{Law, Laws, Programme, STAGES, Stretch};
+use super::laws::{Law, Laws, Look, Programme, STAGES, Stretch};
 use super::{History, Power, Swing};
 
 /// Everything on which a response depends.
@@ -25,8 +25,8 @@ pub struct Input {
 /// Response of an instrument to an input, for each z = 1/(s + A).
 #[derive(Debug, Default)]
 pub struct Response {
-    /// Marks that were stepped to, with what is shown there at all points.
-    pub marks: Vec<(usize, Vec<Lanes>)>,
+    /// Times that are read by marks which were stepped to, with what is shown there at all points.
+    pub stepped: Vec<(usize, Vec<Lanes>)>,
     /// Of every stretch in closed form; none where all was stepped through.
     pub stretches: Vec<Closed>,
 }
@@ -40,8 +40,10 @@ pub struct Closed {
     pub waves: Vec<Vec<Lanes>>,
     /// Of the decay of the reading at the beginning.
     pub kept: Vec<Lanes>,
-    /// At every mark how far the waves have turned, and the factor by which the reading at the beginning has decayed.
-    pub turns: Vec<(Vec<Complex<f64>>, f64)>,
+    /// How far the waves have turned: for every look of the stretch, all waves.
+    pub turns: Vec<Complex<f64>>,
+    /// Factor by which the reading at the beginning has decayed, for every look.
+    pub left: Vec<f64>,
 }
 
 /// Size and rate (1/s) of a wave.
@@ -61,6 +63,7 @@ impl Input {
         let waves = waves(&self.unit.level);
         let mut state = vec![State::default(); groups];
         let mut response = Response::default();
+        let mut stepped: Vec<(usize, Vec<Lanes>)> = Vec::new();
         let (mut step, mut stretches) = (0, laws.stretches.iter());
         let mut stretch = stretches.next();
         // At the start nothing has come in yet.
@@ -81,10 +84,18 @@ impl Input {
                     state.iter_mut().zip(own).for_each(|(state, law)| state.step(law, lag, &inputs));
                     step += 1;
                     if laws.marks.get(mark) == Some(&step) {
-                        response.marks.push((mark, state.iter().map(|state| state.shown).collect()));
+                        stepped.push((mark, state.iter().map(|state| state.shown).collect()));
                         mark += 1;
                     }
                 }
+            }
+        }
+        let shown = |mark: &usize| stepped.binary_search_by_key(mark, |own| own.0).ok().map(|i| &stepped[i].1);
+        for (time, look) in laws.looks.iter().enumerate() {
+            let own: Vec<_> = look.iter().filter_map(|(mark, weight)| Some((shown(mark)?, *weight))).collect();
+            if !own.is_empty() {
+                let read = |group: usize| own.iter().map(|(shown, weight)| shown[group] * *weight).sum();
+                response.stepped.push((time, (0..groups).map(read).collect()));
             }
         }
         response
@@ -101,17 +112,23 @@ impl Input {
 
     /// Equal steps under waves, and the state behind them.
     fn closed(&self, span: &Span, stretch: &Stretch, marks: &[usize], waves: &[Wave], state: &mut [State]) -> Closed {
-        let turned = |step: usize| {
-            let past = span.length * (step - stretch.from) as f64;
-            let turns: Vec<_> = waves.iter().map(|(_, rate)| (rate * past).exp()).collect();
-            (turns, (-past / self.lag).exp())
-        };
+        let past = |step: usize| span.length * (step - stretch.from) as f64;
+        let turn = |past: f64, wave: &Wave| (wave.1 * past).exp();
+        let left = |past: f64| (-past / self.lag).exp();
+        let pasts: Vec<f64> = marks[stretch.marks.clone()].iter().map(|mark| past(*mark)).collect();
+        let at_marks: Vec<Vec<Complex<f64>>> =
+            waves.iter().map(|wave| pasts.iter().map(|past| turn(*past, wave)).collect()).collect();
+        let left_at_marks: Vec<f64> = pasts.iter().map(|past| left(*past)).collect();
+        let turns = |look: &Look| at_marks.iter().map(|own| look.read(|mark| own[mark])).collect::<Vec<_>>();
         let mut closed = Closed {
-            turns: marks[stretch.marks.clone()].iter().map(|mark| turned(*mark)).collect(),
+            turns: stretch.looks.iter().flat_map(turns).collect(),
+            left: stretch.looks.iter().map(|look| look.read(|mark| left_at_marks[mark])).collect(),
             waves: vec![Vec::new(); waves.len()],
             ..Closed::default()
         };
-        let (turns, left) = turned(stretch.from + stretch.steps);
+        let whole = past(stretch.from + stretch.steps);
+        let turns: Vec<_> = waves.iter().map(|wave| turn(whole, wave)).collect();
+        let left = left(whole);
         let [passed, was, is] = span.lag;
         for ((law, remains), state) in span.laws.iter().zip(&stretch.left_in_the_end).zip(state) {
             let (mut first, mut kept, mut end) = (state.own, state.shown, State::default());
