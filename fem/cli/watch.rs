@@ -76,7 +76,7 @@ fn watch(progress: &Progress, done: &AtomicBool) {
         if is_seen {
             return draw(progress, done, start, outlook);
         }
-        say!("{}", outlook.line(progress, start.elapsed()));
+        say!("{}", outlook.line(start.elapsed()));
         next += LINE_EVERY;
     }
 }
@@ -109,19 +109,19 @@ impl Outlook {
     }
 
     /// Part that is done, and time that is left, s, where they can be told.
-    fn left(&self, progress: &Progress, so_far: Duration) -> Option<(f64, f64)> {
-        let (finished, total) = progress.read();
+    fn left(&self, so_far: Duration) -> Option<(f64, f64)> {
+        let Self { finished, total, .. } = *self;
         // Nothing is known of what comes: neither before the first part of it, nor behind the last.
         let is_known = finished > 0 && finished < total && so_far >= self.grown + Self::SETTLED;
-        let usual = self.advanced.as_secs_f64() / self.finished as f64;
+        let usual = self.advanced.as_secs_f64() / finished as f64;
         let is_usual = so_far.saturating_sub(self.advanced).as_secs_f64() <= Self::PATIENCE * usual;
         let part = finished as f64 / total as f64;
         (is_known && is_usual).then(|| (part, so_far.as_secs_f64() * (1.0 / part - 1.0)))
     }
 
     /// How far a computation is: `computing for 10 s, 40 % done, about 15 s left`.
-    fn line(&self, progress: &Progress, so_far: Duration) -> String {
-        let told = match self.left(progress, so_far) {
+    fn line(&self, so_far: Duration) -> String {
+        let told = match self.left(so_far) {
             Some((part, left)) => format!(", {:.0} % done, about {left:.0} s left", 100.0 * part),
             None => "; how much is left shows as it goes".into(),
         };
@@ -141,7 +141,7 @@ fn draw(progress: &Progress, done: &AtomicBool, start: Instant, mut outlook: Out
         outlook.look(progress, start.elapsed());
         bar.set_length(total);
         bar.set_position(finished);
-        bar.set_message(outlook.line(progress, start.elapsed()));
+        bar.set_message(outlook.line(start.elapsed()));
         thread::park_timeout(Duration::from_millis(100));
     }
     bar.finish_and_clear();
@@ -156,18 +156,18 @@ mod tests {
         let (progress, mut outlook) = (Progress::default(), Outlook::default());
         let second = Duration::from_secs;
         let unknown = "computing for 5 s; how much is left shows as it goes";
-        assert_eq!(outlook.line(&progress, second(5)), unknown);
+        assert_eq!(outlook.line(second(5)), unknown);
         progress.expect(4);
         progress.advance(1);
         outlook.look(&progress, second(4));
-        assert_eq!(outlook.line(&progress, second(8)), "computing for 8 s, 25 % done, about 24 s left");
+        assert_eq!(outlook.line(second(8)), "computing for 8 s, 25 % done, about 24 s left");
         // One that takes longer than those before it says nothing of the others.
         let late = "computing for 11 s; how much is left shows as it goes";
-        assert_eq!(outlook.line(&progress, second(11)), late);
+        assert_eq!(outlook.line(second(11)), late);
         // A search that looks further does not know how far.
         progress.expect(1);
         outlook.look(&progress, second(5));
-        assert_eq!(outlook.line(&progress, second(5)), unknown);
-        assert_eq!(outlook.line(&progress, second(9)), "computing for 9 s, 20 % done, about 36 s left");
+        assert_eq!(outlook.line(second(5)), unknown);
+        assert_eq!(outlook.line(second(9)), "computing for 9 s, 20 % done, about 36 s left");
     }
 }

@@ -154,27 +154,41 @@ impl Column {
     }
 }
 
+impl Operator {
+    fn of_both(self, a: Column, b: Column) -> Column {
+        a.with(b, |a, b| self.of(a, b))
+    }
+
+    fn of(self, a: f64, b: f64) -> f64 {
+        match self {
+            Self::Add => a + b,
+            Self::Subtract => a - b,
+            Self::Multiply => a * b,
+            Self::Divide => a / b,
+            Self::Power => a.powf(b),
+        }
+    }
+}
+
+impl Function {
+    fn of(self, arguments: &[Expression], names: &[Column]) -> Column {
+        let mut values = [Column::Same(0.0); 2];
+        for (value, argument) in values.iter_mut().zip(arguments) {
+            *value = argument.values(names);
+        }
+        let [a, b] = values;
+        a.with(b, |a, b| (self.value)(&[a, b]))
+    }
+}
+
 impl Expression {
     pub(super) fn values(&self, names: &[Column]) -> Column {
         match &self.node {
             Node::Number(value) => Column::Same(*value),
             Node::Name(i) => names[*i],
             Node::Negative(of) => of.values(names).map(|value| -value),
-            Node::Binary(operator, a, b) => {
-                let (a, b) = (a.values(names), b.values(names));
-                match operator {
-                    Operator::Add => a.with(b, |a, b| a + b),
-                    Operator::Subtract => a.with(b, |a, b| a - b),
-                    Operator::Multiply => a.with(b, |a, b| a * b),
-                    Operator::Divide => a.with(b, |a, b| a / b),
-                    Operator::Power => a.with(b, f64::powf),
-                }
-            }
-            Node::Call(function, arguments) => match &arguments[..] {
-                [one] => one.values(names).map(|a| (function.value)(&[a])),
-                [one, other] => one.values(names).with(other.values(names), |a, b| (function.value)(&[a, b])),
-                _ => Column::Same(f64::NAN),
-            },
+            Node::Binary(operator, a, b) => operator.of_both(a.values(names), b.values(names)),
+            Node::Call(function, arguments) => function.of(arguments, names),
         }
     }
 }

@@ -23,6 +23,7 @@ fn lock<K>(map: &Mutex<HashMap<K, Entry>>) -> MutexGuard<'_, HashMap<K, Entry>> 
     map.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// The entry of a type, empty at first.
 fn entry<T: Any + Default + Send + Sync>(of: &Mutex<HashMap<TypeId, Entry>>) -> Arc<T> {
     let mut all = lock(of);
     let entry = all.entry(TypeId::of::<T>()).or_insert_with(|| Arc::new(T::default()));

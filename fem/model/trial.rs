@@ -34,8 +34,8 @@ impl Model {
             }
             None => {
                 let entered = model.entered.clone();
-                let read = self.read_instead(Instead { entered, ..Instead::default() })?;
-                (model.system, model.effects, model.measurement) = read;
+                (model.system, model.effects, model.measurement) =
+                    self.read_instead(Instead { entered, ..Instead::default() })?;
             }
         }
         Ok(model)

@@ -63,12 +63,7 @@ impl FormulaLaw {
     /// Adds it to the values of rows, SI; `rows` with every coordinate resolved, and `predicted` what they were before any
     /// formula.
     pub(super) fn add_to(&self, values: &mut [f64], (rows, predicted): (&Rows, &[f64]), parameters: &[f64]) {
-        let of_all = |meaning: &Meaning| match *meaning {
-            Meaning::Parameter(i) => Column::Same(parameters[i]),
-            Meaning::Quantity(value) => Column::Same(value),
-            _ => Column::Same(f64::NAN),
-        };
-        let mut names: Vec<Column> = self.meanings.iter().map(of_all).collect();
+        let mut names = Vec::with_capacity(self.meanings.len());
         for first in (0..values.len()).step_by(ROWS) {
             let own = first..values.len().min(first + ROWS);
             if !own.clone().any(|row| self.adds_to[rows.observable[row]]) {
@@ -77,14 +72,14 @@ impl FormulaLaw {
             // The last of them stands for those that are missing in the end.
             let of_rows =
                 |of: &dyn Fn(usize) -> f64| Column::new(std::array::from_fn(|i| of((first + i).min(own.end - 1))));
-            for (name, meaning) in names.iter_mut().zip(&self.meanings) {
-                match *meaning {
-                    Meaning::Coordinate(column) => *name = of_rows(&|row| rows.columns[column][row]),
-                    Meaning::Recorded(column, usual) => *name = of_rows(&|row| rows.get(column, row).unwrap_or(usual)),
-                    Meaning::Prediction => *name = of_rows(&|row| predicted[row]),
-                    Meaning::Parameter(_) | Meaning::Quantity(_) => {}
-                }
-            }
+            names.clear();
+            names.extend(self.meanings.iter().map(|meaning| match *meaning {
+                Meaning::Coordinate(column) => of_rows(&|row| rows.columns[column][row]),
+                Meaning::Recorded(column, usual) => of_rows(&|row| rows.get(column, row).unwrap_or(usual)),
+                Meaning::Prediction => of_rows(&|row| predicted[row]),
+                Meaning::Parameter(i) => Column::Same(parameters[i]),
+                Meaning::Quantity(value) => Column::Same(value),
+            }));
             let added = self.formula.values(&names);
             for row in own {
                 if self.adds_to[rows.observable[row]] {
