@@ -39,7 +39,7 @@
 //! |---|---|
 //! | read a model | [`Model`], of a [`Source`]; its [`Parameter`]s are what it does not know exactly |
 //! | change one | [`add_effect`], [`revised`] by [`Setting`]s, each an [`Entry`] |
-//! | run it | [`Model::run`], for a [`Run`]: its [`RunReport`] has [`Figure`]s, each effect a [`Contribution`] |
+//! | run it | [`Model::run`], for a [`Run`]: its [`RunReport`] has [`Figure`]s, each effect a [`Contribution`] or, [`Untold`], why it has none |
 //! | read measurements | [`Measurements`], as a [`Reading`] says (its [`Decimal`] mark, its columns) |
 //! | put them on a model | [`Data`] |
 //! | compare | [`compare`](compare()) or, several models, [`compare_all`], for a [`Comparison`] |
@@ -171,7 +171,7 @@ mod workbench;
 // Models.
 pub use ask::revised;
 pub use input::{Parameter, Source};
-pub use model::{Contribution, Entry, Model, Run, Setting, add_effect};
+pub use model::{Contribution, Entry, Model, Run, Setting, Untold, add_effect};
 pub use process::{Figure, RunReport};
 
 // Quantities.

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use super::sensitivity::CandidateEffect;
-use crate::fit::{Objective, Solution};
+use crate::fit::{Differences, Objective, Solution};
 
 /// Model with some candidate effects more, fitted.
 #[derive(Clone)]
@@ -25,9 +25,29 @@ pub struct Weighed<'a> {
     pub model: CandidateModel<'a>,
     /// −2 ln of its posterior, up to a constant: marginal likelihood times prior odds.
     pub criterion: f64,
+    /// How often it was fitted from other sets.
+    pub fits: usize,
 }
 
 impl CandidateModel<'_> {
+    /// Jacobian of the residuals, by the slopes of its fit where that has left them; `None` where the model cannot be computed
+    /// beside its best values.
+    pub fn jacobian(&self) -> Option<DMatrix<f64>> {
+        match &self.solution.slopes {
+            Some(slopes) => Some(self.objective.jacobian_of(slopes, &self.solution.position)),
+            None => self.objective.jacobian(&self.solution),
+        }
+    }
+
+    /// The same with its slopes, for all who ask for them later; `None` as for [`Self::jacobian`].
+    pub fn with_slopes(mut self) -> Option<Self> {
+        if self.solution.slopes.is_none() {
+            let slopes = self.objective.slopes_about(&self.solution, &[], Differences::Central)?;
+            self.solution.slopes = Some(Arc::new(slopes));
+        }
+        Some(self)
+    }
+
     /// Residuals of the rows, SI.
     pub fn residuals(&self) -> Vec<f64> {
         self.objective.data.residuals(&self.solution.predicted)
@@ -63,12 +83,13 @@ impl CandidateModel<'_> {
             first = end;
         }
         order.extend(members.iter().filter_map(|m| of_member.get(m).cloned()).flatten());
-        let Solution { position, predicted, chi2, slopes } = &self.solution;
+        let Solution { position, predicted, chi2, slopes, is_at_rest } = &self.solution;
         Solution {
             position: DVector::from_iterator(order.len(), order.iter().map(|i| position[*i])),
             predicted: predicted.clone(),
             chi2: *chi2,
             slopes: slopes.as_ref().map(|slopes| Arc::new(slopes.select_columns(&order))),
+            is_at_rest: *is_at_rest,
         }
     }
 

@@ -77,7 +77,7 @@ pub fn contenders<'r, 'a>(
     let best = found.tried.first().map_or(0.0, |set| set.criterion);
     let credible = found.credible().iter();
     let mut all: Vec<Contender> =
-        credible.filter_map(|Weighed { model, criterion }| Contender::new(model, None, *criterion, best)).collect();
+        credible.filter_map(|Weighed { model, criterion, .. }| Contender::new(model, None, *criterion, best)).collect();
     let of_effects = confoundings.iter().flat_map(|own| &own.alternatives).map(|other| (&other.model, None));
     // An effect of the machine in the place of a term is among the model's own; a term is not.
     let of_terms = look_alikes.iter().map(|own| {

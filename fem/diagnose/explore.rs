@@ -10,7 +10,7 @@ use super::hypothesis::{Hypothesis, is_greedy, stands_or_falls};
 use super::instrument::{self, Proposal};
 use super::null_distribution::variance;
 use super::posterior::Visit;
-use super::search::{Extent, PLAINER, SIGNIFICANCE, SearchResult};
+use super::search::{Extent, NoiseChange, PLAINER, SIGNIFICANCE, SearchResult};
 use super::settle::{SETTLED, look_until_settled};
 use super::verdict::is_explained;
 use crate::fit::{Objective, Solution};
@@ -229,10 +229,13 @@ impl Exploration<'_> {
         let mut solution = self.start.clone();
         let mut within = proposal.repeats;
         objective.noise = proposal.noise;
-        let mut look = |objective: &mut Objective<'a>, within: &Repeats, known: &[Weighed<'a>]| {
-            look_until_settled(objective, &mut solution, self.absent, within, self.extent(known))
-        };
-        let mut found = look(&mut objective, &within, &earlier.tried)?;
+        let mut look =
+            |objective: &mut Objective<'a>, within: &Repeats, (known, noise): (&[Weighed<'a>], NoiseChange)| {
+                let (most, progress) = (self.most, self.progress);
+                let extent = Extent { most, deepens: false, known, noise, progress };
+                look_until_settled(objective, &mut solution, self.absent, within, extent)
+            };
+        let mut found = look(&mut objective, &within, (&earlier.tried, NoiseChange::Terms))?;
         for _ in 0..ROUNDS {
             if !self.progress.permits(MEASUREMENT) {
                 break;
@@ -241,7 +244,8 @@ impl Exploration<'_> {
             let sizes = noise.terms.iter().zip(&found.best().objective.noise.terms);
             let is_settled = sizes.into_iter().all(|(a, b)| (1.0 / SETTLED..SETTLED).contains(&(a.size / b.size)));
             (objective.noise, within) = (noise, own);
-            found = look(&mut objective, &within, &std::mem::take(&mut found.tried))?;
+            let change = if is_settled { NoiseChange::Little } else { NoiseChange::Size };
+            found = look(&mut objective, &within, (&std::mem::take(&mut found.tried), change))?;
             if is_settled {
                 break;
             }
@@ -272,10 +276,6 @@ impl Exploration<'_> {
             }
             found.steps.pop();
         }
-    }
-
-    fn extent<'k, 'a>(&'k self, known: &'k [Weighed<'a>]) -> Extent<'k, 'a> {
-        Extent { most: self.most, deepens: false, known, progress: self.progress }
     }
 }
 

@@ -189,10 +189,7 @@ struct Point {
 impl Linear {
     fn about(trial: &CandidateModel) -> Option<Self> {
         let objective = &trial.objective;
-        let jacobian = match &trial.solution.slopes {
-            Some(slopes) => objective.jacobian_of(slopes, &trial.solution.position),
-            None => objective.jacobian(&trial.solution)?,
-        };
+        let jacobian = trial.jacobian()?;
         let residuals = objective.residuals(&trial.solution.position, &trial.solution.predicted);
         let (_, level) = misfit_and_level(trial, trial.solution.chi2);
         Some(Self {

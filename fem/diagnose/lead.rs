@@ -72,7 +72,7 @@ pub fn fit_with<'a>(
             best = best.into_iter().chain(ahead(&mut objective, start)).min_by(|a, b| a.chi2.total_cmp(&b.chi2));
         }
     }
-    let solution = resume(&mut objective, best?, SEARCHING);
+    let solution = resume(&mut objective, best?, &[], SEARCHING);
     Some(CandidateModel { members: [&parent.members[..], &[added]].concat(), objective, solution })
 }
 
@@ -109,9 +109,7 @@ pub fn bare<'a>(
         }
     }
     let position = DVector::from_vec(kept);
-    let predicted = trial.objective.predict(&position)?;
-    let chi2 = trial.objective.residuals(&position, &predicted).norm_squared();
-    trial.solution = Solution { position, predicted, chi2, slopes: None };
+    trial.solution = trial.objective.evaluate(position)?;
     Some(trial)
 }
 

@@ -86,7 +86,7 @@ fn terms_instead<'a>(
         if rise(&trial, &term) > EQUAL_FIT + FAR {
             return None;
         }
-        trial.solution = resume(&mut trial.objective, trial.solution, StoppingCriterion::FULL);
+        trial.solution = resume(&mut trial.objective, trial.solution, &[], StoppingCriterion::FULL);
         let rise = rise(&trial, &term);
         let other = instrument::description(&term, best.objective.data);
         (rise <= EQUAL_FIT).then(|| (rise, LookAlike { cause: cause.clone(), other, model: trial }))

@@ -76,7 +76,7 @@ use explore::Exploration;
 use hypothesis::Hypothesis;
 use on_trial::values_on_trial;
 use posterior::Visit;
-use search::Extent;
+use search::{Extent, NoiseChange};
 use settle::look_until_settled;
 
 /// Most effects that are sought together, unless told otherwise.
@@ -91,7 +91,7 @@ const MOST_ROWS: usize = 2000;
 /// # Errors
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
-    searched(data, Extent { most, deepens: true, known: &[], progress })
+    searched(data, Extent { most, deepens: true, known: &[], noise: NoiseChange::Terms, progress })
 }
 
 /// The same of a model with a law that was fitted to these data before: that of the best set is the deepest minimum.
@@ -99,7 +99,7 @@ pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
 /// # Errors
 /// As those of [`diagnose`].
 pub fn diagnose_beside_law(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
-    searched(data, Extent { most, deepens: false, known: &[], progress })
+    searched(data, Extent { most, deepens: false, known: &[], noise: NoiseChange::Terms, progress })
 }
 
 fn searched(data: &Data, extent: Extent) -> Result<Diagnosis, Failure> {

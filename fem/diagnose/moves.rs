@@ -59,7 +59,7 @@ pub fn moves(
     is_unseen: &[bool],
     (most, reach): (usize, Reach),
 ) -> Vec<Move> {
-    let Some(jacobian) = jacobian(parent) else { return Vec::new() };
+    let Some(jacobian) = parent.jacobian() else { return Vec::new() };
     let mut all = Vec::new();
     for dropped in std::iter::once(None).chain(parent.members.iter().copied().map(Some)) {
         let stays = |m: &&usize| Some(**m) != dropped;
@@ -126,14 +126,6 @@ pub fn moves(
         }
     }
     all
-}
-
-/// Jacobian of the residuals at a set, by the slopes of its fit where it has left them.
-pub fn jacobian(set: &CandidateModel) -> Option<DMatrix<f64>> {
-    match &set.solution.slopes {
-        Some(slopes) => Some(set.objective.jacobian_of(slopes, &set.solution.position)),
-        None => set.objective.jacobian(&set.solution),
-    }
 }
 
 /// Residual of a set without one of its members, to first order, with what the others can imitate projected out.
@@ -226,7 +218,7 @@ pub fn fit<'a>(
         }
     }
     let best = best?;
-    let solution = if is_hopeful(best.chi2) { resume(&mut objective, best, SEARCHING) } else { best };
+    let solution = if is_hopeful(best.chi2) { resume(&mut objective, best, &[], SEARCHING) } else { best };
     let is_tested = members.len() <= 1 || objective.is_tested(&solution.predicted);
     is_tested.then_some(CandidateModel { members, objective, solution })
 }
@@ -250,8 +242,10 @@ impl Start {
         objective: &Objective,
     ) -> Self {
         let mut position: Vec<f64> = from.position.iter().copied().collect();
+        // Those of a place where no search has come to rest would lead elsewhere than the model's own.
+        let slopes = from.slopes.as_ref().filter(|_| from.is_at_rest);
         let mut columns: Option<Vec<DVector<f64>>> =
-            from.slopes.as_ref().map(|slopes| slopes.column_iter().map(|c| c.into_owned()).collect());
+            slopes.map(|slopes| slopes.column_iter().map(|c| c.into_owned()).collect());
         let mut linear = Vec::new();
         for (member, (variant, amplitudes)) in added.iter().zip(variants) {
             let variant = &candidates[*member].variants[*variant];
@@ -272,10 +266,9 @@ impl Start {
     /// Goes some steps, from amplitudes that are halved until the model can be computed there.
     fn ahead(mut self, objective: &mut Objective) -> Option<Solution> {
         for _ in 0..HALVINGS {
-            if let Some(predicted) = objective.predict(&self.position) {
-                let chi2 = objective.residuals(&self.position, &predicted).norm_squared();
-                let slopes = self.slopes.take().map(std::sync::Arc::new);
-                return Some(resume(objective, Solution { position: self.position, predicted, chi2, slopes }, AHEAD));
+            if let Some(here) = objective.evaluate(self.position.clone()) {
+                let slopes = self.slopes.map(std::sync::Arc::new);
+                return Some(resume(objective, Solution { slopes, ..here }, &[], AHEAD));
             }
             for (variable, neutral) in &self.linear {
                 let place = &mut self.position[*variable];

@@ -9,7 +9,7 @@ use super::null_distribution::Variance;
 use super::posterior::{Posterior, RULED_OUT};
 use super::residual_projection::ProjectedResidual;
 use super::search::{SIGNIFICANCE, SearchResult};
-use super::{laplace, moves, verdict};
+use super::{laplace, verdict};
 
 /// Evaluates every candidate effect; detection limits hold in nine tenths of the weight of all sets that may be true.
 pub fn outlooks(
@@ -63,7 +63,7 @@ impl Projection {
     fn of(set: &Weighed) -> Option<Self> {
         let CandidateModel { members, objective, solution } = &set.model;
         let residual = objective.residuals(&solution.position, &solution.predicted);
-        let residual = ProjectedResidual::beside(objective, moves::jacobian(&set.model)?, residual);
+        let residual = ProjectedResidual::beside(objective, set.model.jacobian()?, residual);
         Some(Self { members: members.clone(), criterion: set.criterion, residual })
     }
 }

@@ -127,7 +127,7 @@ impl Assessment {
         let first = objective.variables.iter().map(|a| a.position(a.starts.first().copied().unwrap_or(0.0)));
         let position = DVector::from_iterator(objective.variables.len(), first);
         let predicted = objective.predict(&position).ok_or_else(unsolvable)?;
-        let solution = Solution { position, predicted, chi2: 0.0, slopes: None };
+        let solution = Solution { position, predicted, chi2: 0.0, slopes: None, is_at_rest: false };
         let candidates = sensitivity::candidates(&objective, &solution, absent);
         let projected = ProjectedResidual::new(&mut objective, &solution).ok_or_else(unsolvable)?;
         let screening = Screening::new(&projected, &candidates.iter().collect::<Vec<_>>());

@@ -50,7 +50,7 @@ impl Visit {
     }
 
     fn of(set: &Weighed) -> Self {
-        let Weighed { model, criterion } = set;
+        let Weighed { model, criterion, .. } = set;
         Self {
             effects: effects(model),
             criterion: *criterion,

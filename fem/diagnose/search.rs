@@ -63,8 +63,21 @@ pub struct Extent<'e, 'a> {
     pub deepens: bool,
     /// Sets that an earlier search has fitted, under another noise.
     pub known: &'e [Weighed<'a>],
+    /// How its noise differs from that one.
+    pub noise: NoiseChange,
     /// Where progress is told.
     pub progress: &'e Progress,
+}
+
+/// How the noise of a search differs from that of an earlier one.
+#[derive(Clone, Copy, PartialEq)]
+pub enum NoiseChange {
+    /// In its terms: everything is sought again.
+    Terms,
+    /// In its size: moves that were no use are no use now.
+    Size,
+    /// Hardly: what has been found is all that there is to find.
+    Little,
 }
 
 /// Stretch of the null distributions.
@@ -134,7 +147,7 @@ pub fn search<'a>(
     variance: Variance,
     extent: Extent<'_, 'a>,
 ) -> Option<SearchResult<'a>> {
-    let Extent { most, known, progress, .. } = extent;
+    let Extent { most, known, noise, progress, .. } = extent;
     let null_beside = |set: &CandidateModel| {
         progress.stretch(CHANCE, || {
             let projected = ProjectedResidual::new(&mut set.objective.clone(), &set.solution)?;
@@ -159,10 +172,15 @@ pub fn search<'a>(
         idle: if known.is_empty() { IDLE } else { 1 },
     };
     pool.visit(vec![base.clone()]);
-    progress.stretch("sets that an earlier search has found", || pool.resume(known));
-    pool.leave(&[Vec::new()], Reach::Two);
-    progress.stretch("fits of one effect", || pool.singles());
-    progress.stretch("fits of sets", || pool.explore(progress));
+    progress.stretch("sets that an earlier search has found", || pool.resume(known, noise));
+    if noise != NoiseChange::Little {
+        pool.leave(&[Vec::new()], Reach::Two);
+        progress.stretch("fits of one effect", || pool.singles());
+        progress.stretch("fits of sets", || pool.explore(progress));
+    } else {
+        // What else would be seen is told beside what has been found.
+        pool.look_from_the_best();
+    }
     let Pool { visited, candidates, .. } = pool;
     let single = |i: usize| visited.get(&vec![i]).map(|own| own.set.model.clone());
     let singles = (0..candidates.len()).map(single).collect();
@@ -189,7 +207,7 @@ pub fn search<'a>(
 fn unseen(set: &CandidateModel, candidates: &[CandidateEffect]) -> Vec<bool> {
     /// χ² below which all rows together do not show it.
     const LEAST: f64 = 1.0;
-    let Some(jacobian) = moves::jacobian(set) else { return vec![false; candidates.len()] };
+    let Some(jacobian) = set.jacobian() else { return vec![false; candidates.len()] };
     let own = jacobian.columns(0, set.objective.data.model.parameters.len()).into_owned();
     let residual = set.objective.residuals(&set.solution.position, &set.solution.predicted);
     let projected = ProjectedResidual::beside(&set.objective, own, residual);
@@ -211,8 +229,6 @@ fn plainest<'a>(tried: &[Weighed<'a>]) -> Vec<CandidateModel<'a>> {
 struct Visited<'a> {
     set: Weighed<'a>,
     left: Option<Reach>,
-    /// How often it was fitted.
-    fits: usize,
 }
 
 /// A move that nobody has made yet, with the set from which it goes and the criterion that it promises.
@@ -254,7 +270,10 @@ impl<'a> Pool<'_, 'a> {
     }
 
     fn visit(&mut self, sets: Vec<CandidateModel<'a>>) {
-        let weigh = |model: CandidateModel<'a>| Some(Weighed { criterion: laplace::criterion(&model)?, model });
+        let weigh = |model: CandidateModel<'a>| {
+            let model = model.with_slopes()?;
+            Some(Weighed { criterion: laplace::criterion(&model)?, model, fits: 1 })
+        };
         let weighed: Vec<Weighed> = sets.into_par_iter().filter_map(weigh).collect();
         for set in weighed {
             let key = set.model.key();
@@ -262,19 +281,19 @@ impl<'a> Pool<'_, 'a> {
             match self.visited.get_mut(&key) {
                 Some(own) if own.set.criterion - DEEPER <= set.criterion => {
                     // Where what was promised is not kept, the linear model is of no use.
-                    own.fits = MOST_TIMES;
                     if set.criterion < own.set.criterion {
                         own.set = set;
                     }
+                    own.set.fits = MOST_TIMES;
                 }
-                Some(own) => *own = Visited { set, left: None, fits: own.fits + 1 },
-                None => drop(self.visited.insert(key, Visited { set, left: None, fits: 1 })),
+                Some(own) => *own = Visited { set: Weighed { fits: own.set.fits + 1, ..set }, left: None },
+                None => drop(self.visited.insert(key, Visited { set, left: None })),
             }
         }
     }
 
     /// Goes on from sets that an earlier search has found under another noise.
-    fn resume(&mut self, known: &[Weighed<'a>]) {
+    fn resume(&mut self, known: &[Weighed<'a>], noise: NoiseChange) {
         let under = |earlier: &Weighed<'a>| {
             let members = earlier.model.members.clone();
             let mut objective = self.base.objective.clone();
@@ -284,19 +303,28 @@ impl<'a> Pool<'_, 'a> {
             let mut solution = earlier.model.solution.clone();
             solution.chi2 = objective.residuals(&solution.position, &solution.predicted).norm_squared();
             let model = CandidateModel { members, objective, solution };
-            Some(Weighed { criterion: laplace::criterion(&model)?, model })
+            Some(Weighed { criterion: laplace::criterion(&model)?, model, fits: earlier.fits })
         };
         let all: Vec<Weighed> =
             known.par_iter().filter(|set| !set.model.members.is_empty()).filter_map(under).collect();
         let most = all.iter().map(|set| set.criterion).fold(f64::INFINITY, f64::min) + WINDOW;
-        let again = |Weighed { mut model, criterion }: Weighed<'a>| {
+        let again = |Weighed { mut model, criterion, .. }: Weighed<'a>| {
             if criterion < most || model.members.len() == 1 {
-                model.solution = resume(&mut model.objective, model.solution, SEARCHING);
+                model.solution = resume(&mut model.objective, model.solution, &[], SEARCHING);
             }
             model
         };
+        let fits: Vec<(Vec<usize>, usize)> = all.iter().map(|set| (set.model.key(), set.fits)).collect();
         let sets = all.into_par_iter().map(again).collect();
         self.visit(sets);
+        if noise == NoiseChange::Terms {
+            return;
+        }
+        for (key, fits) in fits {
+            if let Some(own) = self.visited.get_mut(&key) {
+                own.set.fits = fits;
+            }
+        }
     }
 
     /// Opens the moves from some sets.
@@ -312,7 +340,7 @@ impl<'a> Pool<'_, 'a> {
             let here = &self.visited[&from].set;
             let open: Vec<(f64, Move)> = moves.into_iter().map(|to| (self.promised(here, &to), to)).collect();
             for (promised, to) in open {
-                let is_done = |own: &Visited| own.fits == MOST_TIMES || promised > own.set.criterion - DEEPER;
+                let is_done = |own: &Visited| own.set.fits == MOST_TIMES || promised > own.set.criterion - DEEPER;
                 let is_worse = |own: &Open| own.promised <= promised;
                 if self.visited.get(&to.key).is_some_and(is_done) || self.open.get(&to.key).is_some_and(is_worse) {
                     continue;

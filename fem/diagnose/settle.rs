@@ -4,7 +4,7 @@ use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
 use super::like_a_curve;
 use super::null_distribution::variance;
-use super::search::{self, Extent, SearchResult};
+use super::search::{self, Extent, NoiseChange, SearchResult};
 use super::verdict::is_explained;
 use crate::fit::{self, Objective, Solution, StoppingCriterion, resume};
 use crate::measure::Repeats;
@@ -69,7 +69,9 @@ fn look_again<'a>(
     let settled = left.is_about(&objective.noise, SETTLED);
     objective.noise = left;
     let known = std::mem::take(&mut found.tried);
-    let next = look(objective, solution, absent, repeats, Extent { known: &known, ..extent })?;
+    let extent =
+        Extent { known: &known, noise: if settled { NoiseChange::Little } else { NoiseChange::Size }, ..extent };
+    let next = look(objective, solution, absent, repeats, extent)?;
     Ok((next, settled))
 }
 
@@ -93,7 +95,7 @@ fn look<'a>(
 ) -> Result<SearchResult<'a>, Failure> {
     // The model is at its minimum already but for the noise, under which its slopes stay what they are.
     solution.chi2 = objective.residuals(&solution.position, &solution.predicted).norm_squared();
-    *solution = resume(objective, solution.clone(), StoppingCriterion::FULL);
+    *solution = resume(objective, solution.clone(), &[], StoppingCriterion::FULL);
     let sought = || like_a_curve::candidates(objective, solution, absent);
     let candidates = extent.progress.stretch("what each effect would change", sought);
     let base = CandidateModel { members: Vec::new(), objective: objective.clone(), solution: solution.clone() };

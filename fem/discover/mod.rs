@@ -45,6 +45,8 @@ const MOST_TERMS: usize = 4;
 /// Rows for each number of a law: with more it follows a curve, and is no law (Harrell, Regression modeling strategies, 2015, 4.4,
 /// asks for 10 to 20).
 const ROWS_EACH: usize = 8;
+/// Most numbers of one law: two laws of physics have as many, and what asks for more follows a curve, on however many rows.
+const MOST_NUMBERS: usize = 12;
 /// Fall of the criterion from which a term is worth its price.
 const WORTH: f64 = 10.0;
 /// Laws that are grown further, and laws of which is seen what they leave beside the model's own values.
@@ -360,7 +362,7 @@ fn bench<'a, 'm>(
 fn grown(bench: &Bench, wandering: Option<&Wandering>, progress: &Progress) -> Vec<Found> {
     let mut all: Vec<Found> = Vec::new();
     let mut open = vec![bench.judged(Vec::new())];
-    let most_numbers = (bench.rows / ROWS_EACH).max(LEAST_NUMBERS);
+    let most_numbers = (bench.rows / ROWS_EACH).clamp(LEAST_NUMBERS, MOST_NUMBERS);
     while !open.is_empty() {
         let mut next: Vec<Found> = Vec::new();
         for law in open {

@@ -255,21 +255,45 @@ impl Variable {
             let most = (0.5 * (self.levels.len() - 1) as f64).min(40.0);
             let mut periods = 0.75;
             while periods <= most {
+                let period = range / periods;
+                periods += 0.25;
+                if !self.meets(period) {
+                    continue;
+                }
                 if !self.is_circle() {
-                    add(Shape::Wave, &[range / periods]);
-                    add(Shape::Arch, &[range / periods]);
+                    add(Shape::Wave, &[period]);
+                    add(Shape::Arch, &[period]);
                 }
                 // What rings fades within a few periods, or not at all.
-                [1.5, 4.0].into_iter().for_each(|some| add(Shape::Ringing, &[range / periods, some * range / periods]));
-                periods += 0.25;
+                [1.5, 4.0].into_iter().for_each(|some| add(Shape::Ringing, &[period, some * period]));
             }
         }
         let known =
             |period: f64| Factor { variable, other: None, shape: Shape::Wave, constants: vec![period], is_known: true };
         let is_seen = |period: &f64| *period < MOST_RANGES * range && range < MOST_PERIODS * period;
         let periods = scales.iter().flat_map(|period| (1..=HARMONICS).map(move |h| period / f64::from(h)));
-        all.extend(periods.filter(is_seen).map(known));
+        all.extend(periods.filter(is_seen).filter(|period| self.meets(*period)).map(known));
         all
+    }
+
+    /// Whether its values meet a wave of this period at enough of its phases to tell it from a constant, and from whatever
+    /// else comes again with every second or third of them.
+    fn meets(&self, period: f64) -> bool {
+        const FEWEST: usize = 4;
+        /// Part of a turn within which two phases are one.
+        const ALIKE: f64 = 0.01;
+        let mut phases: Vec<f64> = Vec::new();
+        for level in &self.levels {
+            let phase = (level / period).rem_euclid(1.0);
+            let is_other = |other: &f64| (ALIKE..=1.0 - ALIKE).contains(&(phase - other).abs());
+            if phases.iter().all(is_other) {
+                phases.push(phase);
+            }
+            if phases.len() == FEWEST {
+                return true;
+            }
+        }
+        false
     }
 
     /// What of it is beyond a part of another.
@@ -380,4 +404,26 @@ pub fn product(factors: &[Vec<Vec<f64>>]) -> Vec<Vec<f64>> {
         };
     }
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::TIME;
+
+    /// Readings every 40 s: what comes again every 40, 80 or 120 s is the same in all of them, in every second or third.
+    #[test]
+    fn a_wave_is_sought_where_readings_meet_it_at_several_phases() {
+        let every = |step: f64| {
+            let times = (0..97).map(|i| step * f64::from(i)).collect();
+            Variable::new(Name::new("time"), TIME, 0, times).unwrap()
+        };
+        let periods = |own: &Variable, scales: &[f64]| -> Vec<f64> {
+            let waves = own.factors(0, scales).into_iter().filter(|own| own.is_known && own.shape == Shape::Wave);
+            waves.map(|own| own.constants[0]).collect()
+        };
+        // Of the harmonics the 4th, 8th, 6th and 12th are missing: 120, 60, 80 and 40 s.
+        assert_eq!(periods(&every(40.0), &[480.0]), [1.0, 2.0, 3.0, 5.0, 7.0, 9.0, 10.0, 11.0].map(|h| 480.0 / h));
+        assert_eq!(periods(&every(7.0), &[480.0]).len(), 12);
+    }
 }

@@ -2,11 +2,14 @@
 //! the quantile. Curvature alone (the Wald interval) misjudges time constants, exponents and parameters near
 //! a bound.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::least_squares::{StoppingCriterion, minimise};
+use super::jacobian::Differences;
+use super::least_squares::{StoppingCriterion, minimise, resume};
 use super::objective::{Objective, Solution};
 use super::steps::Steps;
 use crate::noise::NoiseSource;
@@ -17,11 +20,14 @@ const QUANTILE: f64 = 3.841_458_820_694_124;
 /// Distance from the quantile, in √Δχ², at which an end counts as found.
 const PRECISION: f64 = 0.02;
 
-/// Fall of χ² beyond which a minimum is a deeper one.
-const DEEPER: f64 = 0.01;
+/// Fall of χ² beyond which a minimum is a deeper one: what the precision of an end is in χ², and so moves none.
+const DEEPER: f64 = 2.0 * 1.96 * PRECISION;
 /// Most deeper minima that are gone to; each lies in another valley, or further down one that is long and
 /// flat.
 const MOST: usize = 6;
+
+/// Parameters that are profiled at first, then twice as many.
+const TOGETHER: usize = 4;
 
 /// Stopping criterion of the other parameters while one is held.
 const FOLLOW: StoppingCriterion = StoppingCriterion::rough(25, 1e-6);
@@ -77,16 +83,14 @@ pub struct ProfiledMinimum {
 ///
 /// # Errors
 /// The model cannot be computed beside a minimum.
-pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> Result<ProfiledMinimum, Failure> {
+pub fn profile_intervals(objective: &mut Objective, minimum: Solution) -> Result<ProfiledMinimum, Failure> {
     let mut gone = 0;
-    let mut jacobian = objective.jacobian(&solution).ok_or_else(|| Failure {
+    let (mut solution, mut jacobian) = about(objective, minimum).ok_or_else(|| Failure {
         message: "the model cannot be computed beside the best values".into(),
         help: "check bounds and values".into(),
     })?;
     loop {
         let covariance = objective.covariance(&jacobian);
-        // The first deeper minimum in the order of the parameters is taken, so that the same data always
-        // give the same answer.
         let walked = |i: usize| {
             let mut own = objective.clone();
             let mut profile = Profile {
@@ -99,18 +103,35 @@ pub fn profile_intervals(objective: &mut Objective, mut solution: Solution) -> R
             let interval = profile.interval(&mut own, &covariance, i);
             (interval, profile.deeper.take(), profile.rising())
         };
-        let walked: Vec<_> = (0..solution.position.len()).into_par_iter().map(walked).collect();
-        let Some(deeper) = walked.iter().find_map(|w| w.1.clone()) else {
-            let (intervals, profiles) = walked.into_iter().map(|w| (w.0, w.2)).unzip();
+        // The first deeper minimum in the order of the parameters is taken, so that the same data always give the same
+        // answer; as a rule one of the first few finds it, and the others are not asked.
+        let (mut all, mut together, mut deeper) = (Vec::new(), TOGETHER, None);
+        while deeper.is_none() && all.len() < solution.position.len() {
+            let some = all.len()..solution.position.len().min(all.len() + together);
+            let some: Vec<_> = some.into_par_iter().map(walked).collect();
+            deeper = some.iter().find_map(|w| w.1.clone());
+            all.extend(some);
+            together *= 2;
+        }
+        let Some(deeper) = deeper else {
+            let (intervals, profiles) = all.into_iter().map(|w| (w.0, w.2)).unzip();
             return Ok(ProfiledMinimum { solution, covariance, intervals, profiles });
         };
         let deeper = minimise(objective, &deeper.position, &[], StoppingCriterion::FULL).unwrap_or(deeper);
-        match objective.jacobian(&deeper) {
-            Some(own) => (solution, jacobian, gone) = (deeper, own, gone + 1),
+        match about(objective, deeper) {
+            Some(own) => ((solution, jacobian), gone) = (own, gone + 1),
             // On the edge of where the model can be computed nothing can be said about its values.
             None => gone = MOST,
         }
     }
+}
+
+/// A minimum with its slopes by central differences, and the Jacobian there; `None` where the model cannot be computed beside
+/// it.
+fn about(objective: &Objective, minimum: Solution) -> Option<(Solution, DMatrix<f64>)> {
+    let slopes = objective.slopes_about(&minimum, &[], Differences::Central)?;
+    let jacobian = objective.jacobian_of(&slopes, &minimum.position);
+    Some((Solution { slopes: Some(Arc::new(slopes)), ..minimum }, jacobian))
 }
 
 /// Profile of χ² along a parameter.
@@ -298,8 +319,8 @@ impl Profile<'_> {
             start[i] = s;
             let mut still = inner.position.clone();
             still[i] = s;
-            let start = self.lower(objective, start, still);
-            let moved = start.and_then(|start| self.follow(objective, i, start));
+            let start = lower(objective, start, still);
+            let moved = start.and_then(|start| self.descend(objective, i, start));
             if self.deeper.is_some() {
                 return None;
             }
@@ -337,23 +358,16 @@ impl Profile<'_> {
         outer.map(|o| o.0)
     }
 
-    /// Selects the one of two positions at which χ² is lower; `None` where the model can be computed at
-    /// neither.
-    fn lower(&self, objective: &mut Objective, a: DVector<f64>, b: DVector<f64>) -> Option<DVector<f64>> {
-        let chi2 = |position: &DVector<f64>| {
-            let predicted = objective.predict(position)?;
-            Some(objective.residuals(position, &predicted).norm_squared())
-        };
-        match (chi2(&a), chi2(&b)) {
-            (Some(of_a), Some(of_b)) => Some(if of_a < of_b { a } else { b }),
-            (Some(_), None) => Some(a),
-            (None, of_b) => of_b.map(|_| b),
-        }
-    }
-
     /// Re-fits all variables but one.
     fn follow(&mut self, objective: &mut Objective, held: usize, start: DVector<f64>) -> Option<Point> {
-        let settled = minimise(objective, &start, &[held], FOLLOW)?;
+        let start = objective.evaluate(start)?;
+        self.descend(objective, held, start)
+    }
+
+    /// The same from where the model has been computed; the slopes of the best fit serve as long as they do.
+    fn descend(&mut self, objective: &mut Objective, held: usize, start: Solution) -> Option<Point> {
+        let start = Solution { slopes: self.best.slopes.clone(), ..start };
+        let settled = resume(objective, start, &[held], FOLLOW);
         let rise = (settled.chi2 - self.best.chi2).max(0.0).sqrt();
         self.seen.push((objective.variables[held].value(settled.position[held]), rise * rise));
         if settled.chi2 < self.best.chi2 - DEEPER && !self.goes_on {
@@ -362,6 +376,12 @@ impl Profile<'_> {
         }
         Some(Point { position: settled.position, rise })
     }
+}
+
+/// The one of two positions at which χ² is lower; `None` where the model can be computed at neither.
+fn lower(objective: &Objective, a: DVector<f64>, b: DVector<f64>) -> Option<Solution> {
+    let both = [a, b].into_iter().filter_map(|position| objective.evaluate(position));
+    both.min_by(|a, b| a.chi2.total_cmp(&b.chi2))
 }
 
 /// Direction of a profile: a search variable, its standard uncertainty from the curvature, and the movement

@@ -50,14 +50,14 @@ pub fn minimise(
     held: &[usize],
     stop: StoppingCriterion,
 ) -> Option<Solution> {
-    let start = evaluate(objective, start.clone())?;
+    let start = objective.evaluate(start.clone())?;
     Some(descend(objective, start, held, stop))
 }
 
-/// Minimises χ² from where another search, of another noise, has left it: as long as its slopes serve, a step costs one
-/// evaluation.
-pub fn resume(objective: &mut Objective, from: Solution, stop: StoppingCriterion) -> Solution {
-    descend(objective, from, &[], stop)
+/// Minimises χ², the variables `held` fixed, from where another search, of another noise or with none of them held, has left
+/// it: as long as its slopes serve, a step costs one evaluation.
+pub fn resume(objective: &mut Objective, from: Solution, held: &[usize], stop: StoppingCriterion) -> Solution {
+    descend(objective, from, held, stop)
 }
 
 /// Where the Jacobian of a step is from.
@@ -106,8 +106,10 @@ fn descend(objective: &mut Objective, from: Solution, held: &[usize], stop: Stop
 /// 1965); no search ends but on differences, its own or those by which an earlier one has ended close by.
 fn within_bounds(objective: &mut Objective, from: Solution, held: &[usize], stop: StoppingCriterion) -> Solution {
     let mut here = from;
-    let earlier = here.slopes.take().filter(|_| held.is_empty());
-    let mut known = earlier.as_ref().map(|slopes| (objective.jacobian_of(slopes, &here.position), Origin::Earlier));
+    let earlier = here.slopes.take();
+    // With some held it has gone far from where they were made.
+    let origin = if held.is_empty() { Origin::Earlier } else { Origin::Mended };
+    let mut known = earlier.as_ref().map(|slopes| (objective.jacobian_of(slopes, &here.position), origin));
     let (mut damping, mut slopes, mut at_rest) = (1e-3, earlier, false);
     for _ in 0..stop.steps {
         if !objective.data.progress.permits("searches for a minimum to their end") {
@@ -157,13 +159,8 @@ fn within_bounds(objective: &mut Objective, from: Solution, held: &[usize], stop
         }
     }
     // Those of a search that was cut short are of another place, and those with variables held are not all there.
-    Solution { slopes: slopes.filter(|_| at_rest && held.is_empty()), ..here }
-}
-
-fn evaluate(objective: &mut Objective, position: DVector<f64>) -> Option<Solution> {
-    let predicted = objective.predict(&position)?;
-    let chi2 = objective.residuals(&position, &predicted).norm_squared();
-    Some(Solution { position, predicted, chi2, slopes: None })
+    let is_at_rest = at_rest && held.is_empty();
+    Solution { slopes: slopes.filter(|_| is_at_rest), is_at_rest, ..here }
 }
 
 /// Trials of the damping, with a Jacobian by differences and with a mended one.
@@ -226,7 +223,7 @@ impl Slope<'_> {
                     step[i] = position[moved] - here.position[moved];
                 }
                 let promised = 2.0 * downhill.dot(&step) - step.dot(&(&normal * &step));
-                if let Some(to) = evaluate(objective, position).filter(|next| next.chi2 < here.chi2) {
+                if let Some(to) = objective.evaluate(position).filter(|next| next.chi2 < here.chi2) {
                     *damping = (*damping * 0.2).max(1e-12);
                     return Descent::Lower(Step { to, promised });
                 }

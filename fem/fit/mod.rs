@@ -22,6 +22,7 @@ pub use coarseness::Coarseness;
 pub use edits::{edits, five_digits, uncertain, uncertain_beside};
 pub use estimates::Estimate;
 pub use intervals::{Interval, ProfiledMinimum, profile_intervals};
+pub use jacobian::Differences;
 pub use known::Known;
 pub use least_squares::{StoppingCriterion, minimise, resume};
 pub use objective::{Objective, Solution, Trials};
@@ -72,7 +73,8 @@ pub struct Fit {
     /// What is known of the values together, for whoever goes on with them.
     #[doc(hidden)]
     pub known: Known,
-    /// Physical impossibilities that the fitted model's prediction implies, in sentences.
+    /// Physical impossibilities that the fitted model's prediction implies, and a search that did not come to rest, in
+    /// sentences.
     pub doubts: Vec<String>,
     /// Number of evaluations at which the model could not be computed.
     pub failures: usize,
@@ -143,6 +145,9 @@ fn fitted(data: &Data) -> Result<Fit, Failure> {
     Ok(Fit { sizes: sizes::estimated(data, &restricted, &fit.noise), ..fit })
 }
 
+/// What is said of a search that has used up its steps.
+const UNSETTLED: &str = "the search for the best values ended before it came to rest: the values may move on, where the data hardly tell them apart";
+
 /// Makes the report of a minimum.
 pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats) -> Fit {
     let ProfiledMinimum { solution, covariance, intervals, profiles } = settled;
@@ -158,8 +163,12 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
     let pairs = (0..estimates.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
     let strong = pairs.map(|(i, j)| (i, j, correlation(i, j))).filter(|(_, _, c)| c.abs() > CORRELATED);
     let doubts = objective.forward(&solution.position).and_then(|forward| forward.doubts(&objective.data.rows));
+    let mut doubts = doubts.unwrap_or_default();
+    if !solution.is_at_rest {
+        doubts.push(UNSETTLED.into());
+    }
     Fit {
-        doubts: doubts.unwrap_or_default(),
+        doubts,
         correlated: strong.collect(),
         told_together,
         known,

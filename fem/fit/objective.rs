@@ -66,6 +66,8 @@ pub struct Solution {
     pub chi2: f64,
     /// Slopes of the prediction there or close by, SI per unit of the search variables, if a search has made them.
     pub slopes: Option<Arc<DMatrix<f64>>>,
+    /// Whether a search has come to rest by them.
+    pub is_at_rest: bool,
 }
 
 impl<'a> Objective<'a> {
@@ -289,6 +291,13 @@ impl<'a> Objective<'a> {
         };
         let added: Vec<Active> = self.added.iter().map(active).collect();
         self.data.model.forward_with(own, &added)
+    }
+
+    /// The prediction and its χ² at a position, if the model can be computed there.
+    pub fn evaluate(&self, position: DVector<f64>) -> Option<Solution> {
+        let predicted = self.predict(&position)?;
+        let chi2 = self.residuals(&position, &predicted).norm_squared();
+        Some(Solution { position, predicted, chi2, slopes: None, is_at_rest: false })
     }
 
     /// Prediction of every measured row, if the model can be computed there.

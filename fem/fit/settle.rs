@@ -44,7 +44,5 @@ fn lower_beside(objective: &Objective, here: &Solution, held: &[usize]) -> Optio
 fn moved(objective: &Objective, here: &Solution, i: usize, to: f64) -> Option<Solution> {
     let mut position: DVector<f64> = here.position.clone();
     position[i] = to;
-    let predicted = objective.predict(&position)?;
-    let chi2 = objective.residuals(&position, &predicted).norm_squared();
-    Some(Solution { position, predicted, chi2, slopes: None })
+    objective.evaluate(position)
 }

@@ -41,7 +41,7 @@ pub use odds::{OwnOdds, VALUES};
 pub use other_set::OtherSet;
 pub use outline::{Holds, Key, List, Outline};
 pub use process::ModelProcess;
-pub use run::{Contribution, Run};
+pub use run::{Contribution, Run, Untold};
 pub use schema::schema;
 pub use shop::{Reach, ShopSetting};
 pub use spread::Spread;

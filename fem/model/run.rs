@@ -17,6 +17,30 @@ pub struct Run {
     pub standings: Vec<Standing>,
     /// Contribution of each part of the model to each observable, the ideal system first.
     pub contributions: Vec<Contribution>,
+    /// Parts of which none can be told.
+    pub untold: Vec<Untold>,
+}
+
+/// A part of a model whose contribution cannot be told, for what it would be the difference from cannot be computed: as
+/// where a joint opens under a force that only this effect keeps small.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Untold {
+    /// Name of the effect, or `ideal`.
+    pub name: Name,
+    /// Why the machine without it, or without any effect, cannot be computed.
+    pub why: Failure,
+}
+
+impl Untold {
+    /// The same as a clause: whose contribution is not told, and why.
+    pub fn clause(&self) -> String {
+        let Self { name, why } = self;
+        match &**name {
+            "ideal" => format!("nothing is told of the machine without any effect: {why}"),
+            _ => format!("what {name} changes is not told, for without it {why}"),
+        }
+    }
 }
 
 /// Change that one effect makes: the prediction with all effects less the prediction without this one; for
@@ -51,17 +75,22 @@ impl Model {
     /// Predicts, and compares the prediction with that of the model less each of its effects in turn.
     ///
     /// # Errors
-    /// The computation failed.
+    /// The prediction of the model itself failed; where that of a part of it does, the part is among [`Run::untold`].
     pub fn run(&self, progress: &Progress) -> Result<Run, Failure> {
         let forward = self.forward();
         let prediction = forward.predict(progress)?;
-        let mut changes = vec![(Name::new("ideal"), self.system.with_effects(&[]).predict(progress)?)];
+        let (mut changes, mut untold) = (Vec::new(), Vec::new());
+        let mut note = |name: Name, found: Result<Vec<f64>, Failure>| match found {
+            Ok(own) => changes.push((name, own)),
+            Err(why) => untold.push(Untold { name, why }),
+        };
+        note(Name::new("ideal"), self.system.with_effects(&[]).predict(progress));
         for effect in &self.effects {
-            changes.push((effect.description.name.clone(), self.changes(effect, &prediction, progress)?));
+            note(effect.description.name.clone(), self.changes(effect, &prediction, progress));
         }
         let contributions = self.contributions(&changes);
         let standings = Standing::all(&*self.system, &self.system.programme(), &prediction);
-        Ok(Run { report: forward.report(prediction.clone())?, prediction, standings, contributions })
+        Ok(Run { report: forward.report(prediction.clone())?, prediction, standings, contributions, untold })
     }
 
     /// The rows of its programme without the conditions that it gives them itself: so they follow its values.

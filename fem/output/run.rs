@@ -45,8 +45,10 @@ impl Answer for RunAnswer<'_> {
         let observables = model.process.observables();
         let shares = run.contributions.chunk_by(|a, b| a.observable == b.observable);
         let tables = shares.map(|shares| Block::Table(changes(observables, shares)));
+        let untold: String = run.untold.iter().map(|own| format!("\ncaution: {}\n", own.clause())).collect();
+        let untold = (!untold.is_empty()).then_some(Block::Lines(untold));
         let curves = run.report.plots.iter().cloned().map(Block::Curve);
-        [Block::Lines(text)].into_iter().chain(tables).chain(curves).collect()
+        [Block::Lines(text)].into_iter().chain(tables).chain(untold).chain(curves).collect()
     }
 
     /// `summary.json`, and what `fem run --json` prints: `fem-run/1`.
@@ -70,6 +72,7 @@ impl Answer for RunAnswer<'_> {
             "tolerance": tolerance::json(&run.standings),
             "band": band.map(|band| bands::json(model, band)),
             "shares": run.contributions.iter().map(share).collect::<Vec<_>>(),
+            "untold": run.untold.iter().map(|own| json!({ "effect": own.name, "why": own.why.message })).collect::<Vec<_>>(),
             "warnings": run.report.warnings,
         })
     }

@@ -175,6 +175,33 @@ fn a_joint_that_opens_is_told_with_its_own_force() {
     }
 }
 
+/// A force that falls as the cutter is lifted leaves the spindle's joint shut; the whole force would open it, and so what the
+/// machine without this effect would make is not told, and all else is.
+#[test]
+fn what_cannot_be_computed_without_an_effect_is_not_told() {
+    let place = Place::new();
+    let contact = "c = \"0.5 um/N^n\"\nn = 0.5\npreload = \"599 N\"\n";
+    let opening = format!("{MILL}{contact}").replace("DEPTH", "4 um");
+    let opening = opening.replace("along = \"y\"\nstiffness = \"150", "along = \"-y\"\nstiffness = \"150");
+    place.write("mill.toml", &opening);
+    let answer = place.fem(&["run", "mill.toml", "-o", "out"]);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    for told in [
+        "caution: nothing is told of the machine without any effect: `structure.column` opens under a force of -600 N",
+        "caution: what force-feedback changes is not told, for without it `structure.column` opens",
+    ] {
+        let words: Vec<&str> = answer.out.split_whitespace().collect();
+        assert!(words.join(" ").contains(told), "{}", answer.out);
+    }
+    let summary: serde_json::Value = serde_json::from_str(&place.read("out/summary.json")).unwrap();
+    let untold: Vec<_> =
+        summary["untold"].as_array().unwrap().iter().map(|own| own["effect"].as_str().unwrap()).collect();
+    assert_eq!((untold, &summary["shares"]), (vec!["ideal", "force-feedback"], &serde_json::json!([])));
+    // The force is so much that the joint is held to within its preload: what is left uncut is the height.
+    let uncut = place.column("out/profile.csv", "height_error");
+    assert!(uncut.iter().all(|own| (0.0..4.0).contains(own)), "{uncut:?}");
+}
+
 /// A written clearance is on trial as other estimates are: a foot of the table that stands 2.5 um above the floor.
 #[test]
 fn a_clearance_of_a_drawn_joint_is_on_trial() {

@@ -22,8 +22,8 @@ offered! {
     CompensationAnswer Contribution Data Decimal Description Diagnosis DiagnosisAnswer Entry Error Estimate Failure
     Feasibility Figure Fit FitAnswer Folder GoodnessOfFit Guard InputError Interval Kind Knowledge Measurements
     Missing Model Observable OutputError PROCESSES Parameter Plan PlanAnswer Problem Process Progress Quantity Reading
-    Run RunAnswer RunReport Setting Source Study StudyAnswer StudyPlan Verdict add_effect catalogue command compare
-    compare_all compensate completed diagnose figures fit fitted json plan revised study text
+    Run RunAnswer RunReport Setting Source Study StudyAnswer StudyPlan Untold Verdict add_effect catalogue command
+    compare compare_all compensate completed diagnose figures fit fitted json plan revised study text
 }
 
 /// The code of `fem/lib.rs`.

@@ -38,6 +38,7 @@ pub fn sections(subject: &Subject) -> Vec<Section> {
     let shares = Table { caption, is_sortable: true, ..Table::new(head, run.contributions.iter().map(share)) };
     let parts = html::figures(plots::parts(model, run).iter().map(named));
     let mut changes = vec![parts, html::table(&shares)];
+    changes.extend(run.untold.iter().map(|own| html::paragraph("caution", &html::sentence(&own.clause()))));
     // Where causes have cards, their curves stand there.
     if !is_completed {
         changes.push(html::figures(plots::changes(model, &run.contributions).iter().map(|(_, c)| named(c))));
