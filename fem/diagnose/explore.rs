@@ -9,8 +9,9 @@ use super::few_places::few_places;
 use super::hypothesis::{Hypothesis, is_greedy, stands_or_falls};
 use super::instrument::{self, Proposal};
 use super::null_distribution::variance;
+use super::pool::NoiseChange;
 use super::posterior::Visit;
-use super::search::{Extent, NoiseChange, PLAINER, SIGNIFICANCE, SearchResult};
+use super::search::{Extent, PLAINER, SIGNIFICANCE, SearchResult};
 use super::settle::{SETTLED, look_until_settled};
 use super::verdict::is_explained;
 use crate::fit::{Objective, Solution};
@@ -244,7 +245,7 @@ impl Exploration<'_> {
             let sizes = noise.terms.iter().zip(&found.best().objective.noise.terms);
             let is_settled = sizes.into_iter().all(|(a, b)| (1.0 / SETTLED..SETTLED).contains(&(a.size / b.size)));
             (objective.noise, within) = (noise, own);
-            let change = if is_settled { NoiseChange::Little } else { NoiseChange::Size };
+            let change = NoiseChange::of_size(is_settled);
             found = look(&mut objective, &within, (&std::mem::take(&mut found.tried), change))?;
             if is_settled {
                 break;

@@ -38,6 +38,7 @@ mod on_trial;
 mod outlook;
 mod pairs;
 mod plan;
+mod pool;
 mod posterior;
 mod prior_conflict;
 mod prospect;
@@ -75,8 +76,9 @@ use crate::progress::Progress;
 use explore::Exploration;
 use hypothesis::Hypothesis;
 use on_trial::values_on_trial;
+use pool::NoiseChange;
 use posterior::Visit;
-use search::{Extent, NoiseChange};
+use search::Extent;
 use settle::look_until_settled;
 
 /// Most effects that are sought together, unless told otherwise.
@@ -91,7 +93,7 @@ const MOST_ROWS: usize = 2000;
 /// # Errors
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
-    searched(data, Extent { most, deepens: true, known: &[], noise: NoiseChange::Terms, progress })
+    searched(data, most, true, progress)
 }
 
 /// The same of a model with a law that was fitted to these data before: that of the best set is the deepest minimum.
@@ -99,11 +101,12 @@ pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
 /// # Errors
 /// As those of [`diagnose`].
 pub fn diagnose_beside_law(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
-    searched(data, Extent { most, deepens: false, known: &[], noise: NoiseChange::Terms, progress })
+    searched(data, most, false, progress)
 }
 
-fn searched(data: &Data, extent: Extent) -> Result<Diagnosis, Failure> {
+fn searched(data: &Data, most: usize, deepens: bool, progress: &Progress) -> Result<Diagnosis, Failure> {
     let some = thinned(data);
+    let extent = Extent { most, deepens, known: &[], noise: NoiseChange::Terms, progress };
     // On a thread of the pool: one from outside would wait for it at every Jacobian.
     rayon::scope(|_| diagnose_all(some.as_ref().unwrap_or(data), extent))
 }

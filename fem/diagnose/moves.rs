@@ -242,7 +242,7 @@ impl Start {
         objective: &Objective,
     ) -> Self {
         let mut position: Vec<f64> = from.position.iter().copied().collect();
-        // Those of a place where no search has come to rest would lead elsewhere than the model's own.
+        // A set whose fit was cut short hands none on: a search by them would end by slopes on which none has come to rest.
         let slopes = from.slopes.as_ref().filter(|_| from.is_at_rest);
         let mut columns: Option<Vec<DVector<f64>>> =
             slopes.map(|slopes| slopes.column_iter().map(|c| c.into_owned()).collect());

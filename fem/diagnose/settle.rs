@@ -4,7 +4,8 @@ use super::candidate_model::CandidateModel;
 use super::failure::unsolvable;
 use super::like_a_curve;
 use super::null_distribution::variance;
-use super::search::{self, Extent, NoiseChange, SearchResult};
+use super::pool::NoiseChange;
+use super::search::{self, Extent, SearchResult};
 use super::verdict::is_explained;
 use crate::fit::{self, Objective, Solution, StoppingCriterion, resume};
 use crate::measure::Repeats;
@@ -69,8 +70,7 @@ fn look_again<'a>(
     let settled = left.is_about(&objective.noise, SETTLED);
     objective.noise = left;
     let known = std::mem::take(&mut found.tried);
-    let extent =
-        Extent { known: &known, noise: if settled { NoiseChange::Little } else { NoiseChange::Size }, ..extent };
+    let extent = Extent { known: &known, noise: NoiseChange::of_size(settled), ..extent };
     let next = look(objective, solution, absent, repeats, extent)?;
     Ok((next, settled))
 }

@@ -21,7 +21,7 @@ const QUANTILE: f64 = 3.841_458_820_694_124;
 const PRECISION: f64 = 0.02;
 
 /// Fall of χ² beyond which a minimum is a deeper one: what the precision of an end is in χ², and so moves none.
-const DEEPER: f64 = 2.0 * 1.96 * PRECISION;
+const DEEPER: f64 = 2.0 * Interval::HALF * PRECISION;
 /// Most deeper minima that are gone to; each lies in another valley, or further down one that is long and
 /// flat.
 const MOST: usize = 6;

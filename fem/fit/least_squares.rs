@@ -51,13 +51,7 @@ pub fn minimise(
     stop: StoppingCriterion,
 ) -> Option<Solution> {
     let start = objective.evaluate(start.clone())?;
-    Some(descend(objective, start, held, stop))
-}
-
-/// Minimises χ², the variables `held` fixed, from where another search, of another noise or with none of them held, has left
-/// it: as long as its slopes serve, a step costs one evaluation.
-pub fn resume(objective: &mut Objective, from: Solution, held: &[usize], stop: StoppingCriterion) -> Solution {
-    descend(objective, from, held, stop)
+    Some(resume(objective, start, held, stop))
 }
 
 /// Where the Jacobian of a step is from.
@@ -76,8 +70,9 @@ const WORTH: f64 = 1.0;
 /// Most times that a size may be that.
 const DECADES: usize = 3;
 
-/// Descends to a minimum, past bounds that give way as long as each is worth it.
-fn descend(objective: &mut Objective, from: Solution, held: &[usize], stop: StoppingCriterion) -> Solution {
+/// Minimises χ², the variables `held` fixed, from where another search, of another noise or with none of them held, has left
+/// it: as long as its slopes serve, a step costs one evaluation. Bounds that give way are passed as long as each is worth it.
+pub fn resume(objective: &mut Objective, from: Solution, held: &[usize], stop: StoppingCriterion) -> Solution {
     for (variable, s) in objective.variables.iter_mut().zip(&from.position) {
         while variable.is_barred(*s) && !(variable.low..=variable.high).contains(s) {
             variable.give_way();

@@ -146,7 +146,8 @@ fn fitted(data: &Data) -> Result<Fit, Failure> {
 }
 
 /// What is said of a search that has used up its steps.
-const UNSETTLED: &str = "the search for the best values ended before it came to rest: the values may move on, where the data hardly tell them apart";
+const UNSETTLED: &str = "the search for the best values ended before it came to rest: the values may move on, \
+                         where the data hardly tell them apart";
 
 /// Makes the report of a minimum.
 pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats) -> Fit {

@@ -197,7 +197,7 @@ fn what_cannot_be_computed_without_an_effect_is_not_told() {
     let untold: Vec<_> =
         summary["untold"].as_array().unwrap().iter().map(|own| own["effect"].as_str().unwrap()).collect();
     assert_eq!((untold, &summary["shares"]), (vec!["ideal", "force-feedback"], &serde_json::json!([])));
-    // The force is so much that the joint is held to within its preload: what is left uncut is the height.
+    // The cutter is lifted, and leaves a part of its depth uncut.
     let uncut = place.column("out/profile.csv", "height_error");
     assert!(uncut.iter().all(|own| (0.0..4.0).contains(own)), "{uncut:?}");
 }
