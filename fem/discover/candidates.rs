@@ -118,7 +118,7 @@ fn read(reader: &Reader, file: &Path) -> Vec<Candidate> {
                     None => settings.push((key, text)),
                 }
             }
-            let written = Written { formula: formula?, about, settings };
+            let written = Written { formula: formula?, amplitudes: Vec::new(), about, settings };
             Some(Candidate { name, file: file.to_path_buf(), written, ranges })
         })
     };
@@ -208,7 +208,7 @@ pub fn ranked(
     let objective = start.0;
     let name = fitted::free_name(objective.data.model, &candidate.name);
     let Settled { written, open, position, chi2 } = settled(start, candidate, &name)?;
-    let own = Data::of(&open, objective.data.clone().into_measurements()).map_err(|error| error.to_string())?;
+    let own = objective.data.beside(&open).map_err(|error| error.to_string())?;
     let with = Objective::new(&own).map_err(|error| error.message)?;
     candidate.admits(&name, &with, &position)?;
     let added = added((objective, &start.1.position), (&with, &position)).ok_or(NOWHERE)?;

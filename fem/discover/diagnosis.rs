@@ -55,7 +55,7 @@ fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Prog
     let models = models(data, &of_catalogue);
     // Beside effects that explain everything nothing is left.
     for (number, model) in models.iter().enumerate().take(if explained.is_some() { 1 } else { usize::MAX }) {
-        match beside(data, model, candidates, (most, explained), progress)? {
+        match beside(data, model, candidates, (most, explained), progress) {
             Sought::Nothing => {}
             Sought::HeldBack(own) => held_back = held_back.or(Some(own)),
             Sought::Told(told) => {
@@ -103,7 +103,7 @@ fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Prog
 /// leaves nothing that asks for it.
 fn share_beside_causes(law: &Told, causes: &Model, found: &Diagnosis, data: &Data, progress: &Progress) -> Option<f64> {
     let weighed = law.weighed?;
-    let own = with(data, causes)?;
+    let own = data.beside(causes).ok()?;
     // Of as many rows as a law is sought in.
     let some = thinned_to(&own, MOST_ROWS);
     let own = some.as_ref().unwrap_or(&own);
@@ -214,28 +214,28 @@ fn beside(
     candidates: &[Candidate],
     (most, explained): (usize, Option<Explained>),
     progress: &Progress,
-) -> Result<Sought, Failure> {
-    let Some(own) = with(data, model) else { return Ok(Sought::Nothing) };
-    let Ok(found) = ranked(&own, candidates, explained, progress) else { return Ok(Sought::Nothing) };
+) -> Sought {
+    let Ok(own) = data.beside(model) else { return Sought::Nothing };
+    let Ok(found) = ranked(&own, candidates, explained, progress) else { return Sought::Nothing };
     if found.told().is_none() {
-        let Some(held_back) = held_back(data, &found) else { return Ok(Sought::Nothing) };
-        let told = if held_back.is_likely { told(data, found, most, progress)? } else { None };
-        return Ok(Sought::HeldBack(HeldBack { told: told.map(Box::new), ..held_back }));
+        let Some(held_back) = held_back(data, &found) else { return Sought::Nothing };
+        let told = if held_back.is_likely { told(data, found, most, progress) } else { None };
+        return Sought::HeldBack(HeldBack { told: told.map(Box::new), ..held_back });
     }
-    Ok(told(data, found, most, progress)?.map_or(Sought::Nothing, |told| Sought::Told(Box::new(told))))
+    told(data, found, most, progress).map_or(Sought::Nothing, |told| Sought::Told(Box::new(told)))
 }
 
-/// The best law, and what the catalogue says of the model as it is written with it.
-fn told(data: &Data, mut found: Discovery<Ranked>, most: usize, progress: &Progress) -> Result<Option<Told>, Failure> {
+/// The best law, and what the catalogue says of the model as it is written with it; `None` where that cannot be computed.
+fn told(data: &Data, mut found: Discovery<Ranked>, most: usize, progress: &Progress) -> Option<Told> {
     let law = found.laws.remove(0);
     let open = law.written.open();
-    let Ok(model) = add_effect(data.model, &law.name, &open) else { return Ok(None) };
-    let effect = model.effects.iter().find(|own| own.description.name == *law.name).map(|own| own.description.clone());
-    let (Some(own), Some(mut effect)) = (with(data, &model), effect) else { return Ok(None) };
+    let model = add_effect(data.model, &law.name, &open).ok()?;
+    let mut effect = model.effects.iter().find(|own| own.description.name == *law.name)?.description.clone();
+    let own = data.beside(&model).ok()?;
     if !law.is_candidate {
         (effect.about, effect.source) = ("a law that is in no catalogue".into(), "found in these rows");
     }
-    let diagnosis = diagnose::diagnose_beside_law(&own, most, progress)?;
+    let diagnosis = diagnose::diagnose_beside_law(&own, most, progress).ok()?;
     let criterion = diagnosis.criterion + law.found.price;
     let law = FreeLaw {
         observable: data.model.process.observables()[law.observable].name.clone(),
@@ -245,7 +245,7 @@ fn told(data: &Data, mut found: Discovery<Ranked>, most: usize, progress: &Progr
         like: found.like,
         rivals: found.laws.into_iter().map(|own| Rival { formula: own.written.formula, apart: own.apart }).collect(),
     };
-    Ok(Some(Told { law, effect, diagnosis, criterion, weighed: found.weighed }))
+    Some(Told { law, effect, diagnosis, criterion, weighed: found.weighed })
 }
 
 /// A law that is held back because what it is made of was set too seldom.
@@ -258,11 +258,6 @@ fn held_back(data: &Data, found: &Discovery<Ranked>) -> Option<HeldBack> {
         is_likely: found.ahead > -CLEARLY,
         told: None,
     })
-}
-
-/// The data of another model.
-fn with<'m>(data: &Data, model: &'m Model) -> Option<Data<'m>> {
-    Some(Data::of(model, data.clone().into_measurements()).ok()?.watched(data.progress.clone()))
 }
 
 impl Told {

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::law::{self, Written};
-use super::search::{Bench, Found, amplitudes};
+use super::search::{Bench, Found, Term, amplitudes};
 use crate::diagnose::Apart;
 use crate::fit::{self, Estimate, Fit, Objective, SearchVariable, Solution, StoppingCriterion, minimise};
 use crate::input::{Parameter, numbered};
@@ -114,11 +114,43 @@ pub fn begun((objective, solution): (&Objective, &Solution), open: &Model) -> Op
     descended(objective, open, start, SOME_STEPS)
 }
 
-/// Lets the values of a law settle beside those of the model, under the noise of a fit.
-pub fn settled(objective: &Objective, bench: &Bench, law: Ranked) -> Option<Ranked> {
-    let start = |_: &Objective| law.position.clone();
-    let (position, chi2) = descended(objective, &law.open, start, StoppingCriterion::FULL)?;
-    Some(Ranked { position, criterion: bench.misfit(chi2) + law.found.price, ..law })
+/// Lets the values of a law settle beside those of the model, under the noise of a fit. Without a term on which no row
+/// depends any more, for its constants have gone beyond the rows, it is another law.
+pub fn settled((objective, solution): (&Objective, &Solution), bench: &Bench, law: Ranked) -> Option<Ranked> {
+    let own = objective.data.beside(&law.open).ok()?;
+    let with = &mut beside(objective, &own)?;
+    let there = minimise(with, &law.position, &[], StoppingCriterion::FULL)?;
+    // On the edge of where the model can be computed nothing can be said of its values.
+    (there.is_at_rest || with.jacobian(&there).is_some()).then_some(())?;
+    let left = law.terms_at(with, &there);
+    if left.len() == law.found.terms.len() {
+        let criterion = bench.misfit(there.chi2) + law.found.price;
+        return Some(Ranked { position: there.position, criterion, ..law });
+    }
+    let draft = drafted((objective, solution), bench, &bench.judged(left))?;
+    settled((objective, solution), bench, draft)
+}
+
+impl Ranked {
+    /// The terms on which some row depends at a solution.
+    fn terms_at(&self, with: &Objective, there: &Solution) -> Vec<Term> {
+        let terms = self.found.terms.iter().zip(&self.written.amplitudes);
+        let seen = terms.filter(|(_, amplitude)| is_seen(&self.name, amplitude, with, there));
+        seen.map(|(term, _)| term.clone()).collect()
+    }
+}
+
+/// Whether some row depends on a parameter of a law of this name at a solution.
+fn is_seen(name: &str, key: &str, with: &Objective, there: &Solution) -> bool {
+    let is_own = |p: &Parameter| is_parameter_of(name, p) && p.path.key() == key;
+    with.parameters.iter().position(is_own).is_none_or(|i| !fit::is_idle(with, there, i))
+}
+
+/// A model with a law, under the noise of a fit.
+fn beside<'d>(objective: &Objective, own: &'d Data) -> Option<Objective<'d>> {
+    let mut with = Objective::new(own).ok()?;
+    with.noise = objective.noise.clone();
+    Some(with)
 }
 
 /// Where a search for the values of a model with a law comes to under the noise of a fit, and χ² there.
@@ -128,9 +160,8 @@ pub fn descended(
     start: impl FnOnce(&Objective) -> DVector<f64>,
     stop: StoppingCriterion,
 ) -> Option<(DVector<f64>, f64)> {
-    let own = Data::of(open, objective.data.clone().into_measurements()).ok()?;
-    let mut with = Objective::new(&own).ok()?;
-    with.noise = objective.noise.clone();
+    let own = objective.data.beside(open).ok()?;
+    let mut with = beside(objective, &own)?;
     let start = start(&with);
     let Solution { position, chi2, .. } = minimise(&mut with, &start, &[], stop)?;
     Some((position, chi2))
@@ -154,7 +185,7 @@ pub struct Law {
 
 /// Fits a law to all rows.
 pub fn fitted(data: &Data, ranked: Ranked) -> Option<Law> {
-    let own = Data::of(&ranked.open, data.clone().into_measurements()).ok()?;
+    let own = data.beside(&ranked.open).ok()?;
     let fit = fit::fit(&own).ok()?;
     Some(Law {
         model: completed(&own, &fit, &ranked.name),
@@ -195,4 +226,32 @@ pub fn fitted_settings(settings: &[Setting], fit: &Fit, name: &str) -> Vec<Setti
         Setting { key: own.key.clone(), value: Entry::Text(format!("{value} {}", kind.unit).trim_end().into()) }
     };
     settings.iter().map(fitted).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::Source;
+    use crate::measure::Measurements;
+
+    /// A term that has gone beyond the rows is none any more.
+    #[test]
+    fn no_row_depends_on_a_tent_beside_the_rows() {
+        let text = "process = \"axis\"\naxis = { travel = \"1 m\" }\n\
+                    screw = { material = \"steel\", diameter = \"40 mm\", lead = \"10 mm\" }\n\
+                    [effects.law]\nformula = \"a*max(0, 1 - abs(position - p_c)/p_w) + a2*position/p_0\"\n\
+                    a = \"? near 3 um\"\np_c = \"? near C mm\"\np_w = \"? near 20 mm\"\n\
+                    a2 = \"? near 1 um\"\np_0 = \"1 m\"\n";
+        for (centre, seen) in [("150", [true, true]), ("900", [false, true])] {
+            let model = Model::parse(Source::new("model.toml", text.replace('C', centre))).unwrap();
+            let rows = "position [mm],direction,deviation [um],u [um]\n\
+                        100,+,1,1\n140,+,4,1\n160,+,5,1\n200,+,2,1\n240,+,3,1\n300,+,3,1\n";
+            let rows = Measurements::parse(Source::new("rows.csv", rows), &*model.process).unwrap();
+            let data = Data::of(&model, rows).unwrap();
+            let objective = Objective::new(&data).unwrap();
+            let start = objective.variables.iter().map(|own| own.position(own.starts[0]));
+            let there = objective.evaluate(DVector::from_iterator(objective.variables.len(), start)).unwrap();
+            assert_eq!(["a", "a2"].map(|key| is_seen("law", key, &objective, &there)), seen, "{centre}");
+        }
+    }
 }

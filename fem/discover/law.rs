@@ -14,6 +14,8 @@ use crate::units::{ANGLE, Kind, TEMPERATURE, TEMPERATURE_RISE};
 pub struct Written {
     /// The formula.
     pub formula: String,
+    /// Names of the amplitudes of its terms, where it was made of terms.
+    pub amplitudes: Vec<String>,
     /// What it is, for people, where somebody says so.
     pub about: Option<String>,
     /// Names and values of the parameters that are to be fitted and of the scales that are known.
@@ -58,7 +60,7 @@ impl Names<'_> {
 /// Writes terms with their amplitudes, in units of the error `kind` of the observable; known scales by their names in the model.
 pub fn written(terms: &[(&Term, Vec<f64>)], variables: &[Variable], (model, kind): (&Model, Kind)) -> Written {
     let mut names = Names { settings: Vec::new(), model };
-    let mut parts = Vec::new();
+    let (mut parts, mut all) = (Vec::new(), Vec::new());
     for (term, amplitudes) in terms {
         let sizes = separated(term, amplitudes);
         let product: Vec<(f64, String)> =
@@ -66,9 +68,10 @@ pub fn written(terms: &[(&Term, Vec<f64>)], variables: &[Variable], (model, kind
         let size = amplitude(term, amplitudes, &sizes) * product.iter().map(|own| own.0).product::<f64>();
         let a = names.add("a", near(size, kind));
         let rest: Vec<String> = product.into_iter().map(|own| own.1).filter(|text| !text.is_empty()).collect();
+        all.push(a.clone());
         parts.push(std::iter::once(a).chain(rest).collect::<Vec<_>>().join("*"));
     }
-    Written { formula: parts.join(" + "), about: None, settings: names.settings }
+    Written { formula: parts.join(" + "), amplitudes: all, about: None, settings: names.settings }
 }
 
 /// The amplitudes of the functions of each factor, as those of a product: the leading vector of each unfolding.

@@ -228,7 +228,7 @@ fn rank(
         let Some((least, misfit)) = drafts.first().map(|best| (best.criterion, best.misfit())) else { return drafts };
         drafts.retain(|own| own.criterion < least + PERHAPS || own.misfit() < misfit + PERHAPS);
         drafts.truncate(SETTLED);
-        let settle = |draft| fitted::settled(&objective, &bench, draft);
+        let settle = |draft| fitted::settled((&objective, &solution), &bench, draft);
         let mut laws: Vec<Ranked> = drafts.into_par_iter().filter_map(settle).collect();
         laws.sort_by(|a, b| a.criterion.total_cmp(&b.criterion));
         laws
@@ -265,7 +265,7 @@ impl Discovery<Ranked> {
     fn weigh_against_noise(&mut self, data: &Data, progress: &Progress) -> Result<(), Failure> {
         let without = under_noise(data, progress)?;
         while let Some(law) = self.laws.first().filter(|_| !without.terms.is_empty()) {
-            let with = Data::of(&law.open, data.clone().into_measurements());
+            let with = data.beside(&law.open);
             if let Some(with) = with.ok().and_then(|with| under_noise(&with, progress).ok()) {
                 let weighed = with.criterion + law.found.price;
                 (self.ahead, self.weighed) = (without.criterion - weighed, Some(weighed));

@@ -30,7 +30,7 @@ pub use search_variable::{SearchVariable, Usual};
 pub use sizes::{EstimatedSize, size_estimate};
 pub use starts::best;
 pub use steps::MOST_STARTS;
-pub use told_together::Combination;
+pub use told_together::{Combination, is_idle};
 
 use nalgebra::DMatrix;
 

@@ -297,6 +297,7 @@ impl<'a> Objective<'a> {
     pub fn evaluate(&self, position: DVector<f64>) -> Option<Solution> {
         let predicted = self.predict(&position)?;
         let chi2 = self.residuals(&position, &predicted).norm_squared();
+        chi2.is_finite().then_some(())?;
         Some(Solution { position, predicted, chi2, slopes: None, is_at_rest: false })
     }
 

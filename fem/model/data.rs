@@ -77,6 +77,14 @@ impl<'m> Data<'m> {
         Self { progress, ..self }
     }
 
+    /// The same rows beside another model, watched as these are.
+    ///
+    /// # Errors
+    /// As those of [`Data::of`].
+    pub(crate) fn beside<'o>(&self, model: &'o Model) -> Result<Data<'o>, InputError> {
+        Ok(Data::of(model, self.clone().into_measurements())?.watched(self.progress.clone()))
+    }
+
     /// Makes a design of rows that the model itself proposes, which need no check. Of its effects of the
     /// measurement those are at work that name no rows.
     pub(crate) fn proposed(model: &'m Model, name: &str, rows: Rows) -> Self {
