@@ -42,7 +42,7 @@ impl CandidateModel<'_> {
     /// The same with its slopes, for all who ask for them later; `None` as for [`Self::jacobian`].
     pub fn with_slopes(mut self) -> Option<Self> {
         if self.solution.slopes.is_none() {
-            let slopes = self.objective.slopes_about(&self.solution, &[], Differences::Central)?;
+            let slopes = self.objective.slopes_about(&self.solution, &[], Differences::Central)?.matrix;
             self.solution.slopes = Some(Arc::new(slopes));
         }
         Some(self)

@@ -23,6 +23,7 @@ use super::residual_projection::ProjectedResidual;
 use super::screening::Screening;
 use super::search::SearchResult;
 use super::sensitivity::CandidateEffect;
+use super::strain::Strain;
 use super::verdict::{self, GoodnessOfFit, Verdict};
 use super::{doubtful, findings, laplace, look_alike, next};
 use crate::compare::Judges;
@@ -33,15 +34,16 @@ use crate::model::OwnOdds;
 use crate::noise::is_round_off;
 use crate::process::{Description, Failure};
 
-/// Makes the diagnosis of the result of a search.
+/// Makes the diagnosis of the result of a search; `None` where its criterion is beyond `limit`.
 ///
 /// # Errors
 /// The model cannot be computed beside its best values.
 pub fn conclude(
     mut hypotheses: Vec<Hypothesis>,
     conflicts: &[PriorConflict],
-    posterior: Posterior,
-) -> Result<Diagnosis, Failure> {
+    mut posterior: Posterior,
+    limit: f64,
+) -> Result<Option<Diagnosis>, Failure> {
     let is_imitation = hypotheses.last().is_some_and(imitates);
     if is_imitation {
         hypotheses.truncate(1);
@@ -62,31 +64,47 @@ pub fn conclude(
     }
     best.solution =
         minimise(&mut best.objective, &best.solution.position, &[], StoppingCriterion::FULL).ok_or_else(unsolvable)?;
-    let mut settled = fit::profile_intervals(&mut best.objective, best.solution)?;
-    best.solution = settled.solution.clone();
     let goodness = |trial: &CandidateModel| GoodnessOfFit::of(trial, repeats, folds.as_ref());
-    let (before, mut after) = (goodness(&found.base), goodness(&best));
-    let features = verdict::features(&found.base);
-    let mut remaining = if best.members.is_empty() { features.clone() } else { verdict::features(&best) };
+    let (before, features) = (goodness(&found.base), verdict::features(&found.base));
     let base = &found.base.objective;
     let judges = match base.data.len() < FEWEST_ROWS {
         true => Judges::Nothing,
         false => Judges::of(base.data, &found.base.residuals(), &base.noise, repeats),
     };
-    let mut verdict = verdict::verdict(&found.base, &best, (&before, &features), (&after, &remaining), judges);
-    if is_imitation && !matches!(verdict, Verdict::Adequate | Verdict::NotJudged) {
-        verdict = Verdict::Unexplained;
+    let judged = |best: &CandidateModel| {
+        let after = goodness(best);
+        let remaining = if best.members.is_empty() { features.clone() } else { verdict::features(best) };
+        let own = verdict::verdict(&found.base, best, (&before, &features), (&after, &remaining), judges);
+        let is_none = is_imitation && !matches!(own, Verdict::Adequate | Verdict::NotJudged);
+        (after, remaining, if is_none { Verdict::Unexplained } else { own })
+    };
+    let bent = bent_law::criterion_of_values(&found, &bent);
+    let (mut after, mut remaining, mut verdict) = judged(&best);
+    let told = if explains(verdict) { &best } else { &found.base };
+    if laplace::criterion_of_values(told).min(bent) > limit {
+        return Ok(None);
     }
-    if !explains(verdict) {
-        best = found.base.clone();
-        settled = fit::profile_intervals(&mut best.objective, best.solution.clone())?;
-        after = before.clone();
-        remaining = features.clone();
+    let mut settled = None;
+    if explains(verdict) {
+        let own = fit::profile_intervals(&mut best.objective, best.solution)?;
+        best.solution = own.solution.clone();
+        (after, remaining, verdict) = judged(&best);
+        settled = Some(own);
     }
+    let settled = match settled.filter(|_| explains(verdict)) {
+        Some(own) => own,
+        None => {
+            best = found.base.clone();
+            (after, remaining) = (before.clone(), features.clone());
+            fit::profile_intervals(&mut best.objective, best.solution.clone())?
+        }
+    };
     let mut fit = fit::report(&best.objective, settled, repeats);
     if explains(verdict) {
         fit.known.instead = alternatives(&found, &best);
     }
+    let strain = Strain::of(&best);
+    strain.weaken(&mut posterior);
     let progress = &found.base.objective.data.progress;
     let mut confoundings = match !best.members.is_empty() && progress.permits("effects that look like those found") {
         true => progress.stretch("effects that look alike", || confounding::confoundings(&found)),
@@ -94,6 +112,7 @@ pub fn conclude(
     };
     confoundings.iter_mut().for_each(|own| own.leave_out_what_is_ruled_out(&found, &posterior));
     let mut missing = missing(&found, &best, &fit, variance, &confoundings, (&goodness, &posterior));
+    missing.iter_mut().for_each(|own| own.doubt = strain.doubt(&own.effect));
     let of_measurement = match judges {
         Judges::Nothing => Vec::new(),
         _ => findings::missing_effects(&found.base, &best, plain.map(|h| &h.found.base), repeats, &posterior),
@@ -139,7 +158,7 @@ pub fn conclude(
         Verdict::MissingEffect => doubtful::doubt(&best, folds.as_ref(), &goodness(&found.base), &after),
         _ => None,
     };
-    if doubt.is_some() {
+    if verdict == Verdict::MissingEffect && (doubt.is_some() || strain.is_of_the_set()) {
         verdict = Verdict::PartlyExplained;
     }
     let is_explained = matches!(verdict, Verdict::MissingEffect | Verdict::PartlyExplained);
@@ -177,16 +196,20 @@ pub fn conclude(
         false => None,
     };
     let own = laplace::criterion_of_values(&best);
-    let criterion = if is_silent { own } else { bent_law::criterion_of_values(&found, &bent).min(own) };
+    let criterion = if is_silent { own } else { bent.min(own) };
     let trials = (best.objective.trials.failures(), best.objective.trials.evaluations());
     let candidates = outlooks(&found, &best, variance, &posterior);
     let verdict_after = match verdict {
         Verdict::MissingEffect => Verdict::Adequate,
         other => other,
     };
-    Ok(Diagnosis {
+    Ok(Some(Diagnosis {
         rows: found.base.objective.data.len(),
-        cautions: cautions(&found, (repeats, &fit), verdict, conflicts).into_iter().chain(doubt).collect(),
+        cautions: cautions(&found, (repeats, &fit), verdict, conflicts)
+            .into_iter()
+            .chain(strain.caution())
+            .chain(doubt)
+            .collect(),
         noise: found.base.objective.noise.level(found.base.objective.data),
         before,
         features,
@@ -204,7 +227,7 @@ pub fn conclude(
         criterion,
         cross_validation_by: folds.map(|f| f.coordinate),
         trials,
-    })
+    }))
 }
 
 /// Fewest rows that tell one cause from another, however well each is known: any effect explains what a row or two are off by.
@@ -321,6 +344,7 @@ fn missing(
             cause: findings::cause(&effect),
             before: before(best, &effect),
             probability: posterior.of(&effect.name),
+            doubt: None,
             effect,
             goodness: goodness(&rest),
             p_value: null.p_value(measured),
@@ -333,7 +357,6 @@ fn missing(
                 p.alternatives.iter().map(|r| found.candidates[r.candidate].effect.clone()).collect()
             }),
             bend: None,
-            doubt: None,
         });
         rest = next;
     }

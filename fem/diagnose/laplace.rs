@@ -2,8 +2,8 @@
 //! posterior weight.
 //!
 //! −2 ln Z = χ² − 2 ln p(u) + ln |JᵀJ + P|, at the most probable point. Sizes enter by their logarithm, in which a usual
-//! size has a normal distribution with heavy tails (Student's t): nothing is impossible, and a size a thousand times
-//! the usual costs as much as one standard deviation more of a few rows. The most probable point is found in the linear
+//! size has a normal distribution with heavy tails (Student's t): a size a hundred times the usual costs as much as one
+//! standard deviation more of a few rows; beyond that a set has no weight. The most probable point is found in the linear
 //! model of the prediction about the best fit: along what the data cannot tell the usual decides, and no run of the
 //! model is needed. (MacKay 2003, chapter 27; Kass and Raftery 1995.)
 
@@ -23,8 +23,12 @@ const VANISHING: f64 = 4.0;
 const ANYWHERE: f64 = 100.0;
 
 /// −2 ln of the marginal likelihood of a fitted model times the prior odds of what was added to it; `None` where the model
-/// cannot be computed beside its best values.
+/// cannot be computed beside its best values, or explains the rows by a size that no machine has.
 pub fn criterion(trial: &CandidateModel) -> Option<f64> {
+    let mut values = trial.objective.variables.iter().zip(&trial.solution.position);
+    if values.any(|(variable, position)| variable.is_beyond_belief(*position)) {
+        return None;
+    }
     Some(minus_two_log(trial)? + price(trial))
 }
 
@@ -86,6 +90,11 @@ pub fn left(trial: &CandidateModel) -> Option<Left> {
 fn axes(trial: &CandidateModel) -> Vec<Axis> {
     let variables = trial.objective.variables.iter().zip(&trial.solution.position);
     variables.map(|(v, at)| Axis::new(v.usual, v.unit, *at)).collect()
+}
+
+/// How far each value of a fitted set is from what is usual of it, in standard deviations of that.
+pub fn deviations(trial: &CandidateModel) -> Vec<f64> {
+    axes(trial).iter().zip(&trial.solution.position).map(|(axis, s)| axis.from(*s)).collect()
 }
 
 /// Price of a noise that is larger than what is known of it, beyond that of the effect of the measurement that says so.

@@ -1,5 +1,5 @@
-//! Candidates of which these rows see no more than a curve, which many laws make: a small part of a turn, and times that
-//! only rise with a place. They are not sought.
+//! Candidates of which these rows see no more than a curve, which many laws make: a small part of a turn, a piece of a wave,
+//! and times that only rise with a place. They are not sought.
 
 use std::f64::consts::{PI, TAU};
 
@@ -10,17 +10,20 @@ use super::sensitivity::{self, CandidateEffect, LinearParameter, Variant};
 use crate::fit::{Objective, Solution};
 use crate::model::Data;
 use crate::noise::time_of;
-use crate::process::{Absent, Description, Holds, Rows, Values};
-use crate::units::LENGTH;
+use crate::process::{Absent, Description, Holds, Parameter, Rows, Values};
+use crate::units::{LENGTH, PERIOD};
 
 /// Sensitivities of all `effects` about a solution of the model without them, without those that are like any curve.
 pub fn candidates(objective: &Objective, base: &Solution, effects: &[Description]) -> Vec<CandidateEffect> {
     let mut all = sensitivity::candidates(objective, base, effects);
     let untimed = without_times(objective.data);
+    let span = objective.only_span();
     all.par_iter_mut().for_each(|candidate| {
         let Some(first) = candidate.variants.first() else { return };
         let seen = Seen { trial: &objective.with(&candidate.effect), base, variant: first };
-        let is_curve = untimed.as_ref().is_some_and(|rows| seen.acts_through_times(rows))
+        let is_longer = |own: &Parameter| own.kind == PERIOD && span.is_some_and(|s| s < own.kind.to_si(own.range.0));
+        let is_curve = candidate.effect.parameters.iter().any(is_longer)
+            || untimed.as_ref().is_some_and(|rows| seen.acts_through_times(rows))
             || candidate.is_of_one_shape() && seen.turn().is_some_and(|turn| turn < PI);
         if is_curve {
             candidate.variants.clear();
@@ -118,4 +121,39 @@ fn without_times(data: &Data) -> Option<Rows> {
         rows.columns[time] = Values::shared(unread, times.len());
         rows
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::candidates;
+    use crate::fit::{Objective, best};
+    use crate::input::Source;
+    use crate::measure::Measurements;
+    use crate::model::{Data, Model};
+
+    /// One series: of a minute nothing is seen of a room that swings within half an hour or a day, of three hours it is.
+    #[test]
+    fn a_wave_is_sought_where_the_series_is_as_long_as_its_shortest_usual_period() {
+        for (span, is_sought) in [("60", false), ("1200", false), ("10800", true)] {
+            let text = format!(
+                "process = \"thermal\"\nbody = {{ material = \"steel\", segments = [{{ length = \"200 mm\", diameter = \"20 mm\" }}] }}\n\
+                 environment = {{ temperature = \"20 degC\" }}\n\
+                 source = [{{ at = \"0 mm\", power = \"5 W\" }}]\ntime = {{ end = \"{span} s\", step = \"10 s\" }}\n\
+                 measurement = {{ places = [\"100 mm\"], interval = \"10 s\" }}\n\
+                 effects.convection = {{ coefficient = \"10 W/m^2/K\" }}\n"
+            );
+            let model = Model::parse(Source::new("model.toml", text)).unwrap();
+            let span: f64 = span.parse().unwrap();
+            let row = |part: f64| format!("{},100,{},0.1\n", part * span, 20.0 + part);
+            let rows: String = [0.2, 0.4, 0.6, 0.8, 1.0].map(row).concat();
+            let rows =
+                Source::new("rows.csv", format!("time [s],x [mm],temperature [degC],u [K]\n0,100,20,0.1\n{rows}"));
+            let data = Data::of(&model, Measurements::parse(rows, &*model.process).unwrap()).unwrap();
+            let mut objective = Objective::new(&data).unwrap();
+            let base = best(&mut objective).unwrap();
+            let drift = model.process.effects().into_iter().find(|own| own.name == *"ambient-drift").unwrap();
+            let found = candidates(&objective, &base, &[drift]).pop().unwrap();
+            assert_eq!(!found.variants.is_empty(), is_sought, "{span} s");
+        }
+    }
 }

@@ -47,6 +47,7 @@ mod screening;
 mod search;
 mod sensitivity;
 mod settle;
+mod strain;
 mod under_noise;
 mod verdict;
 
@@ -93,22 +94,33 @@ const MOST_ROWS: usize = 2000;
 /// # Errors
 /// The data are too few, or the model cannot be computed.
 pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
-    searched(data, most, true, progress)
+    searched(data, (most, true), f64::INFINITY, progress)?.ok_or_else(unsolvable)
 }
 
-/// The same of a model with a law that was fitted to these data before: that of the best set is the deepest minimum.
+/// The same of a model with a law that was fitted to these data before: that of the best set is the deepest minimum. `None`
+/// where the criterion of what is found is beyond `limit`, and nobody asks for the rest.
 ///
 /// # Errors
 /// As those of [`diagnose`].
-pub fn diagnose_beside_law(data: &Data, most: usize, progress: &Progress) -> Result<Diagnosis, Failure> {
-    searched(data, most, false, progress)
+pub fn diagnose_beside_law(
+    data: &Data,
+    most: usize,
+    limit: f64,
+    progress: &Progress,
+) -> Result<Option<Diagnosis>, Failure> {
+    searched(data, (most, false), limit, progress)
 }
 
-fn searched(data: &Data, most: usize, deepens: bool, progress: &Progress) -> Result<Diagnosis, Failure> {
+fn searched(
+    data: &Data,
+    (most, deepens): (usize, bool),
+    limit: f64,
+    progress: &Progress,
+) -> Result<Option<Diagnosis>, Failure> {
     let some = thinned(data);
     let extent = Extent { most, deepens, known: &[], noise: NoiseChange::Terms, progress };
     // On a thread of the pool: one from outside would wait for it at every Jacobian.
-    rayon::scope(|_| diagnose_all(some.as_ref().unwrap_or(data), extent))
+    rayon::scope(|_| diagnose_all(some.as_ref().unwrap_or(data), limit, extent))
 }
 
 /// The rows that a diagnosis uses, where there are too many of them to use all.
@@ -125,7 +137,7 @@ pub fn thinned_to<'m>(data: &Data<'m>, most: usize) -> Option<Data<'m>> {
     })
 }
 
-fn diagnose_all<'a>(data: &'a Data<'a>, extent: Extent<'_, 'a>) -> Result<Diagnosis, Failure> {
+fn diagnose_all<'a>(data: &'a Data<'a>, limit: f64, extent: Extent<'_, 'a>) -> Result<Option<Diagnosis>, Failure> {
     let Extent { most, progress, .. } = extent;
     progress.expect(1);
     let repeats = data.repeats();
@@ -157,7 +169,7 @@ fn diagnose_all<'a>(data: &'a Data<'a>, extent: Extent<'_, 'a>) -> Result<Diagno
     let exploration = Exploration { start: &solution, absent: &absent, repeats, most, progress, visits: &visits };
     let hypotheses = progress.stretch("under which noise to search", || exploration.weigh(first))?;
     let posterior = Posterior::new(&visits.take());
-    let conclude = || conclude::conclude(hypotheses, &conflicts, posterior);
+    let conclude = || conclude::conclude(hypotheses, &conflicts, posterior, limit);
     let diagnosis = progress.stretch("conclusion, intervals included", conclude);
     progress.advance(1);
     diagnosis

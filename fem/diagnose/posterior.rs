@@ -150,6 +150,11 @@ impl Posterior {
         }
     }
 
+    /// Takes a share of the probability from one effect.
+    pub fn doubt(&mut self, name: &Name, share: f64) {
+        self.probabilities.entry(name.clone()).and_modify(|own| *own *= 1.0 - share);
+    }
+
     /// Probability of an effect.
     pub fn of(&self, name: &str) -> f64 {
         self.probabilities.get(name).map_or(0.0, |p| p.min(1.0))

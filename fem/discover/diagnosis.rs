@@ -15,6 +15,8 @@ use crate::progress::Progress;
 const SEVERAL: usize = 3;
 /// Share of the probability below which nothing is said of a law.
 const UNLIKELY: f64 = 0.005;
+/// Rise of −2 ln L above what the catalogue says from which nothing is said of a law, whatever its best values are.
+const HOPELESS: f64 = 30.0;
 /// Name of the step, for the note that it was left undone.
 const LAWS: &str = "laws that are in no catalogue";
 
@@ -55,18 +57,20 @@ fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Prog
     let models = models(data, &of_catalogue);
     // Beside effects that explain everything nothing is left.
     for (number, model) in models.iter().enumerate().take(if explained.is_some() { 1 } else { usize::MAX }) {
-        match beside(data, model, candidates, (most, explained), progress) {
+        let causes = models.get(1).filter(|_| number == 0);
+        let share = |law: &Discovery<Ranked>| {
+            let share = share_beside_causes(law.weighed?, causes?, &of_catalogue, data, progress)?;
+            (share < 0.5).then_some(share)
+        };
+        let limit = of_catalogue.criterion + HOPELESS;
+        match beside(data, model, candidates, (most, explained, limit), &share, progress) {
             Sought::Nothing => {}
             Sought::HeldBack(own) => held_back = held_back.or(Some(own)),
-            Sought::Told(told) => {
-                let causes = models.get(1).filter(|_| number == 0);
-                let share = causes.and_then(|causes| share_beside_causes(&told, causes, &of_catalogue, data, progress));
-                if let Some(share) = share.filter(|share| *share < 0.5) {
-                    rival = Some((*told, share));
-                    continue;
-                }
+            Sought::Told(told, Some(share)) => rival = Some((*told, share)),
+            Sought::Told(told, None) => {
                 let is_all = told.diagnosis.verdict == Verdict::Adequate;
-                if best.as_ref().is_none_or(|own| told.criterion < own.criterion) {
+                // A law beside known causes goes before one in their place that says hardly more.
+                if best.as_ref().is_none_or(|own| told.criterion < own.criterion + CLEARLY) {
                     best = Some(*told);
                 }
                 if is_all {
@@ -101,8 +105,13 @@ fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Prog
 /// The share of the probability that a law has beside causes of the catalogue in its place, where the noise that each leaves is
 /// settled alike: the diagnosis may have described that noise otherwise, and the law would take the credit. `None` where the law
 /// leaves nothing that asks for it.
-fn share_beside_causes(law: &Told, causes: &Model, found: &Diagnosis, data: &Data, progress: &Progress) -> Option<f64> {
-    let weighed = law.weighed?;
+fn share_beside_causes(
+    weighed: f64,
+    causes: &Model,
+    found: &Diagnosis,
+    data: &Data,
+    progress: &Progress,
+) -> Option<f64> {
     let own = data.beside(causes).ok()?;
     // Of as many rows as a law is sought in.
     let some = thinned_to(&own, MOST_ROWS);
@@ -162,14 +171,12 @@ struct Told {
     effect: Description,
     diagnosis: Diagnosis,
     criterion: f64,
-    /// Its criterion under the noise that the rows ask for beside it, where they ask for some.
-    weighed: Option<f64>,
 }
 
 /// What a search for a law beside a model comes to.
 enum Sought {
-    /// A law.
-    Told(Box<Told>),
+    /// A law, with its share of the probability where causes of the catalogue in its place are likelier.
+    Told(Box<Told>, Option<f64>),
     /// A law of what was set too seldom.
     HeldBack(HeldBack),
     Nothing,
@@ -212,21 +219,29 @@ fn beside(
     data: &Data,
     model: &Model,
     candidates: &[Candidate],
-    (most, explained): (usize, Option<Explained>),
+    (most, explained, limit): (usize, Option<Explained>, f64),
+    share: &dyn Fn(&Discovery<Ranked>) -> Option<f64>,
     progress: &Progress,
 ) -> Sought {
     let Ok(own) = data.beside(model) else { return Sought::Nothing };
     let Ok(found) = ranked(&own, candidates, explained, progress) else { return Sought::Nothing };
     if found.told().is_none() {
         let Some(held_back) = held_back(data, &found) else { return Sought::Nothing };
-        let told = if held_back.is_likely { told(data, found, most, progress) } else { None };
+        let told = if held_back.is_likely { told(data, found, (most, limit), progress) } else { None };
         return Sought::HeldBack(HeldBack { told: told.map(Box::new), ..held_back });
     }
-    told(data, found, most, progress).map_or(Sought::Nothing, |told| Sought::Told(Box::new(told)))
+    let share = share(&found);
+    if share.is_some_and(|share| share < UNLIKELY) {
+        return Sought::Nothing;
+    }
+    // What a share says is asked for however far behind the law is.
+    let limit = if share.is_some() { f64::INFINITY } else { limit };
+    told(data, found, (most, limit), progress).map_or(Sought::Nothing, |told| Sought::Told(Box::new(told), share))
 }
 
-/// The best law, and what the catalogue says of the model as it is written with it; `None` where that cannot be computed.
-fn told(data: &Data, mut found: Discovery<Ranked>, most: usize, progress: &Progress) -> Option<Told> {
+/// The best law, and what the catalogue says of the model as it is written with it; `None` where that cannot be computed, or
+/// its criterion is beyond a limit.
+fn told(data: &Data, mut found: Discovery<Ranked>, (most, limit): (usize, f64), progress: &Progress) -> Option<Told> {
     let law = found.laws.remove(0);
     let open = law.written.open();
     let model = add_effect(data.model, &law.name, &open).ok()?;
@@ -235,7 +250,7 @@ fn told(data: &Data, mut found: Discovery<Ranked>, most: usize, progress: &Progr
     if !law.is_candidate {
         (effect.about, effect.source) = ("a law that is in no catalogue".into(), "found in these rows");
     }
-    let diagnosis = diagnose::diagnose_beside_law(&own, most, progress).ok()?;
+    let diagnosis = diagnose::diagnose_beside_law(&own, most, limit - law.found.price, progress).ok()??;
     let criterion = diagnosis.criterion + law.found.price;
     let law = FreeLaw {
         observable: data.model.process.observables()[law.observable].name.clone(),
@@ -245,7 +260,7 @@ fn told(data: &Data, mut found: Discovery<Ranked>, most: usize, progress: &Progr
         like: found.like,
         rivals: found.laws.into_iter().map(|own| Rival { formula: own.written.formula, apart: own.apart }).collect(),
     };
-    Some(Told { law, effect, diagnosis, criterion, weighed: found.weighed })
+    Some(Told { law, effect, diagnosis, criterion })
 }
 
 /// A law that is held back because what it is made of was set too seldom.
@@ -284,7 +299,7 @@ impl Told {
 
     /// The diagnosis with the law in the place of one without.
     fn over(self, without: Diagnosis, data: &Data) -> Diagnosis {
-        let Self { law, effect, mut diagnosis, criterion, weighed: _ } = self;
+        let Self { law, effect, mut diagnosis, criterion } = self;
         // Of two that are equally likely each has a half.
         let against = weight(without.criterion, criterion);
         let goodness = std::mem::replace(&mut diagnosis.before, without.before);

@@ -129,7 +129,7 @@ pub fn profile_intervals(objective: &mut Objective, minimum: Solution) -> Result
 /// A minimum with its slopes by central differences, and the Jacobian there; `None` where the model cannot be computed beside
 /// it.
 fn about(objective: &Objective, minimum: Solution) -> Option<(Solution, DMatrix<f64>)> {
-    let slopes = objective.slopes_about(&minimum, &[], Differences::Central)?;
+    let slopes = objective.slopes_about(&minimum, &[], Differences::Central)?.matrix;
     let jacobian = objective.jacobian_of(&slopes, &minimum.position);
     Some((Solution { slopes: Some(Arc::new(slopes)), ..minimum }, jacobian))
 }

@@ -98,6 +98,9 @@ const FAR: f64 = 10.0;
 /// Largest size of an unknown of the model, in terms of its usual one, that a fit tries before it asks.
 const AWAY: f64 = 100.0;
 
+/// Size of a candidate effect, in terms of the largest usual one, beyond which no machine has it.
+const BELIEVED: f64 = 100.0;
+
 /// Usual size of ln (v/v₀) of a value that somebody wrote as v₀, for steps.
 const RATIO: f64 = 0.2;
 
@@ -317,6 +320,11 @@ impl SearchVariable {
     /// Whether a bound that gives way is in the way at a position.
     pub fn is_barred(&self, position: f64) -> bool {
         position >= self.high && self.high < self.limits.1 || position <= self.low && self.low > self.limits.0
+    }
+
+    /// Whether it is a size that no machine has: two effects that cancel each other grow so far.
+    pub fn is_beyond_belief(&self, position: f64) -> bool {
+        self.usual.is_some_and(|own| matches!(own, Usual::Size { .. }) && position.abs() > BELIEVED * own.largest())
     }
 
     /// Moves the bounds further away.

@@ -19,7 +19,7 @@ fn rows_are_chosen_by_what_their_source_says() {
 fn an_unknown_source_is_refused_with_those_there_are() {
     let answer = Place::new().fem(&["validate", "--source", "seed 007"]);
     assert_eq!((answer.status, answer.out.as_str()), (2, ""));
-    for part in ["no case has a source that says `seed 007`", "did you mean `seed 00", "NIST StRD (208)", "seed 002 ("]
+    for part in ["no case has a source that says `seed 007`", "did you mean `seed 00", "NIST StRD (214)", "seed 002 ("]
     {
         assert!(answer.err.contains(part), "{part}: {}", answer.err);
     }
