@@ -19,10 +19,9 @@ pub fn size_estimate(
     let [low, high] = if term.effect.acts.is_estimated() { restricted.interval(noise, number) } else { [None, None] };
     let interval = Interval { low, high };
     let width = interval.high.zip(interval.low).map_or(f64::NAN, |(high, low)| (high - low) / 3.92);
-    let table = if term.table.is_empty() { term.effect.name } else { &term.table };
     Estimate {
         parameter: Parameter {
-            path: format!("measurement.{table}.{}", term.effect.size.key()).into(),
+            path: format!("measurement.{}.{}", term.name(), term.effect.size.key()).into(),
             kind: term.kind(measurements),
             quantity: Quantity { value: term.size, knowledge: Knowledge::Free },
             bounds: Bounds::NotNegative,

@@ -80,7 +80,7 @@ fn beyond(term: &Term, rows: &Rows, values: &[f64]) -> Option<String> {
         format!(
             "{count} of {} rows are beyond `low` and `high` of `{}`: its curve is known between them, and goes on as a polynomial",
             rows.len(),
-            term.table
+            term.name()
         )
     })
 }

@@ -259,6 +259,11 @@ impl Term {
         self.observable.map_or_else(|| self.among.is_empty() || self.among.contains(&seen), |own| own == seen)
     }
 
+    /// Name of its table in a model's file, or that of its effect where it stands in none.
+    pub fn name(&self) -> &str {
+        if self.table.is_empty() { self.effect.name } else { &self.table }
+    }
+
     /// Kind of its size in a file.
     pub fn kind(&self, measurements: &Measurements) -> Kind {
         let own = || measurements.observables.iter().find(|s| Some(s.position) == self.observable);
