@@ -103,7 +103,7 @@ pub fn conclude(
     if explains(verdict) {
         fit.known.instead = alternatives(&found, &best);
     }
-    let strain = Strain::of(&best);
+    let strain = Strain::of(&best, doubtful::doubt(&best, folds.as_ref(), &before, &after));
     strain.weaken(&mut posterior);
     let progress = &found.base.objective.data.progress;
     let mut confoundings = match !best.members.is_empty() && progress.permits("effects that look like those found") {
@@ -154,11 +154,7 @@ pub fn conclude(
             None => {}
         }
     }
-    let doubt = match verdict {
-        Verdict::MissingEffect => doubtful::doubt(&best, folds.as_ref(), &goodness(&found.base), &after),
-        _ => None,
-    };
-    if verdict == Verdict::MissingEffect && (doubt.is_some() || strain.is_of_the_set()) {
+    if verdict == Verdict::MissingEffect && strain.is_of_the_set() {
         verdict = Verdict::PartlyExplained;
     }
     let is_explained = matches!(verdict, Verdict::MissingEffect | Verdict::PartlyExplained);
@@ -205,11 +201,7 @@ pub fn conclude(
     };
     Ok(Some(Diagnosis {
         rows: found.base.objective.data.len(),
-        cautions: cautions(&found, (repeats, &fit), verdict, conflicts)
-            .into_iter()
-            .chain(strain.caution())
-            .chain(doubt)
-            .collect(),
+        cautions: cautions(&found, (repeats, &fit), verdict, conflicts).into_iter().chain(strain.cautions).collect(),
         noise: found.base.objective.noise.level(found.base.objective.data),
         before,
         features,

@@ -15,7 +15,7 @@ use crate::noise::{Term, beyond_f};
 /// Fewest groups whose zeros are seen to follow a column, or that are left out.
 const LEAST_GROUPS: usize = 5;
 
-/// Why causes beside which the noise explains everything are doubtful; `None` where nothing is against them.
+/// Why the causes of a set are doubtful; `None` where nothing is against them.
 pub fn doubt(
     best: &CandidateModel,
     folds: Option<&Folds>,

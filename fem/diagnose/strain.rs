@@ -1,10 +1,10 @@
-//! What is not believed though the rows ask for it: a place at the end of where it may be, and several values of one set that
-//! are all unusual. Something that is in no catalogue is as likely then.
+//! What is not believed though the rows ask for it: a place at the end of where it may be, causes that do not foresee what is
+//! held out, and several values of one set that are all unusual. Something that is in no catalogue is as likely then.
 
 use super::candidate_model::CandidateModel;
 use super::laplace;
 use super::posterior::Posterior;
-use crate::input::{Name, ParameterId};
+use crate::input::Name;
 use crate::process::{Description, Neutral};
 
 /// Standard deviations of what is usual beyond which a value is unusual: one in four hundred is.
@@ -18,24 +18,32 @@ const SHARE: f64 = 0.5;
 pub struct Strain {
     /// Its effects that stand at the end of where they may be.
     at_an_end: Vec<Name>,
-    /// Its values that are unusual together.
-    unusual: Vec<ParameterId>,
+    /// What speaks against all of it, a sentence each.
+    pub cautions: Vec<String>,
 }
 
 impl Strain {
-    /// What speaks against a fitted set.
-    pub fn of(set: &CandidateModel) -> Self {
+    /// What speaks against a fitted set; `doubt` is what does already.
+    pub fn of(set: &CandidateModel, doubt: Option<String>) -> Self {
         let own = || own_values(set);
         let mut at_an_end: Vec<Name> =
             own().filter(|(_, i)| is_at_an_end(set, *i)).map(|(e, _)| e.name.clone()).collect();
         at_an_end.dedup();
         let deviations = laplace::deviations(set);
         let unusual = own().map(|(_, i)| i).filter(|i| deviations[*i].abs() > UNUSUAL);
-        let mut unusual: Vec<ParameterId> = unusual.map(|i| set.objective.parameters[i].path.clone()).collect();
-        if unusual.len() < SEVERAL {
-            unusual.clear();
-        }
-        Self { at_an_end, unusual }
+        let unusual: Vec<String> = unusual.map(|i| format!("`{}`", set.objective.parameters[i].path)).collect();
+        let caution = (unusual.len() >= SEVERAL).then(|| {
+            format!(
+                "the causes come so near only by values of which each is unusual, {}: something that is in no catalogue is as likely",
+                unusual.join(", ")
+            )
+        });
+        Self { at_an_end, cautions: doubt.into_iter().chain(caution).collect() }
+    }
+
+    /// Whether it speaks against the whole set.
+    pub fn is_of_the_set(&self) -> bool {
+        !self.cautions.is_empty()
     }
 
     /// Leaves what it takes of the probability to what is in no catalogue.
@@ -48,25 +56,8 @@ impl Strain {
 
     /// Why an effect is in doubt, if it is.
     pub fn doubt(&self, effect: &Description) -> Option<String> {
-        let is_at_an_end = self.at_an_end.contains(&effect.name);
-        is_at_an_end.then(|| {
+        self.at_an_end.contains(&effect.name).then(|| {
             "its place stands at the end of where it may be: what makes it may act at that end, or beyond".into()
-        })
-    }
-
-    /// Whether it speaks against the whole set.
-    pub fn is_of_the_set(&self) -> bool {
-        !self.unusual.is_empty()
-    }
-
-    /// The caution about unusual values, if there are several.
-    pub fn caution(&self) -> Option<String> {
-        let names: Vec<String> = self.unusual.iter().map(|path| format!("`{path}`")).collect();
-        (!names.is_empty()).then(|| {
-            format!(
-                "the causes come so near only by values of which each is unusual, {}: something that is in no catalogue is as likely",
-                names.join(", ")
-            )
         })
     }
 }
@@ -127,11 +118,12 @@ mod tests {
             ([200.0, 5e3, 1e3], [true, true]),
         ];
         for (values, [at_an_end, unusual]) in cases {
-            let strain = Strain::of(&set(values));
+            let strain = Strain::of(&set(values), None);
             let doubts = ["extra-source", "base-conductance"].map(|name| strain.doubt(&effect(name)).is_some());
             assert_eq!((doubts, strain.is_of_the_set()), ([at_an_end, false], unusual), "{values:?}");
-            assert_eq!(strain.caution().is_some(), unusual, "{values:?}");
         }
+        let doubted = Strain::of(&set(cases[0].0), Some("held out".into()));
+        assert_eq!((doubted.is_of_the_set(), doubted.cautions.len()), (true, 1));
         for (power, has_weight) in [(10.0, true), (5e3, true), (3e4, false)] {
             assert_eq!(laplace::criterion(&set([100.0, power, 1.0])).is_some(), has_weight, "{power} W");
         }
