@@ -5,7 +5,7 @@ use super::candidate_model::CandidateModel;
 use super::laplace;
 use super::posterior::Posterior;
 use crate::input::Name;
-use crate::process::{Description, Neutral};
+use crate::process::{Description, Neutral, Parameter};
 
 /// Standard deviations of what is usual beyond which a value is unusual: one in four hundred is.
 const UNUSUAL: f64 = 3.0;
@@ -70,10 +70,8 @@ fn own_values<'s>(set: &'s CandidateModel) -> impl Iterator<Item = (&'s Descript
 
 /// Whether a value is a place that a fit has brought to the end of where it may be.
 fn is_at_an_end(set: &CandidateModel, i: usize) -> bool {
-    let (variable, position) = (&set.objective.variables[i], set.solution.position[i]);
-    let is_place =
-        |entry: &crate::process::Parameter| entry.along.is_some() && !entry.is_step && entry.neutral == Neutral::Shape;
-    set.objective.catalogue(i).is_some_and(is_place) && (position <= variable.low || position >= variable.high)
+    let is_place = |entry: &Parameter| entry.along.is_some() && !entry.is_step && entry.neutral == Neutral::Shape;
+    set.objective.catalogue(i).is_some_and(is_place) && set.objective.variables[i].is_at_bound(set.solution.position[i])
 }
 
 #[cfg(test)]

@@ -53,27 +53,22 @@ fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Prog
     let (mut best, mut held_back): (Option<Told>, Option<HeldBack>) = (None, None);
     // A law that says no more than the causes of the catalogue, under the noise that each leaves.
     let mut rival: Option<(Told, f64)> = None;
-    let explained = explained(&of_catalogue);
     let models = models(data, &of_catalogue);
+    let is_all = explained(&of_catalogue).is_some();
     // Beside effects that explain everything nothing is left.
-    for (number, model) in models.iter().enumerate().take(if explained.is_some() { 1 } else { usize::MAX }) {
+    for (number, model) in models.iter().enumerate().take(if is_all { 1 } else { usize::MAX }) {
         let causes = models.get(1).filter(|_| number == 0);
-        let share = |law: &Discovery<Ranked>| {
-            let share = share_beside_causes(law.weighed?, causes?, &of_catalogue, data, progress)?;
-            (share < 0.5).then_some(share)
-        };
-        let limit = of_catalogue.criterion + HOPELESS;
-        match beside(data, model, candidates, (most, explained, limit), &share, progress) {
+        match beside(data, model, candidates, most, (&of_catalogue, causes), progress) {
             Sought::Nothing => {}
             Sought::HeldBack(own) => held_back = held_back.or(Some(own)),
             Sought::Told(told, Some(share)) => rival = Some((*told, share)),
             Sought::Told(told, None) => {
-                let is_all = told.diagnosis.verdict == Verdict::Adequate;
+                let leaves_nothing = told.diagnosis.verdict == Verdict::Adequate;
                 // A law beside known causes goes before one in their place that says hardly more.
                 if best.as_ref().is_none_or(|own| told.criterion < own.criterion + CLEARLY) {
                     best = Some(*told);
                 }
-                if is_all {
+                if leaves_nothing {
                     break;
                 }
             }
@@ -81,7 +76,7 @@ fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Prog
     }
     let explains = of_catalogue.missing.iter().any(|m| !m.describes());
     // Zeros that follow a column say less than a law of it.
-    let follows = of_catalogue.missing.iter().any(|m| m.doubt.is_some());
+    let follows = of_catalogue.missing.iter().any(|m| m.doubt.is_some() && sets_zero(&m.cause));
     let margin = if follows { -CLEARLY } else { CLEARLY };
     Ok(match best {
         Some(told) if told.criterion < of_catalogue.criterion - margin => told.over(of_catalogue, data),
@@ -106,12 +101,13 @@ fn with_laws(data: &Data, candidates: &[Candidate], most: usize, progress: &Prog
 /// settled alike: the diagnosis may have described that noise otherwise, and the law would take the credit. `None` where the law
 /// leaves nothing that asks for it.
 fn share_beside_causes(
-    weighed: f64,
+    law: &Discovery<Ranked>,
     causes: &Model,
     found: &Diagnosis,
     data: &Data,
     progress: &Progress,
 ) -> Option<f64> {
+    let weighed = law.weighed?;
     let own = data.beside(causes).ok()?;
     // Of as many rows as a law is sought in.
     let some = thinned_to(&own, MOST_ROWS);
@@ -130,6 +126,10 @@ fn explained(diagnosis: &Diagnosis) -> Option<Explained> {
     let terms = if diagnosis.missing.len() < SEVERAL { 1 } else { 2 };
     let is_all = diagnosis.verdict == Verdict::MissingEffect && is_of_machine();
     is_all.then_some(Explained { criterion: diagnosis.criterion, terms })
+}
+
+fn sets_zero(cause: &Cause) -> bool {
+    matches!(cause, Cause::Measurement { effect, .. } if effect.sets_zero)
 }
 
 fn is_of_machine(cause: &Cause) -> bool {
@@ -196,14 +196,13 @@ impl HeldBack {
     /// Says of zeros that may be such a law that nobody knows whether the instrument makes them; and takes half of the
     /// probability, where it explains more than effects of the machine: these are not certain then.
     fn against(self, diagnosis: &mut Diagnosis) {
-        let sets_zero = |m: &Missing| matches!(m.cause, Cause::Measurement { effect, .. } if effect.sets_zero);
         let Self { text, is_likely, told } = self;
         let is_of_machine = diagnosis.missing.iter().any(|m| is_of_machine(&m.cause));
         if let Some(told) = told.filter(|told| is_of_machine && told.criterion < diagnosis.criterion - CLEARLY) {
             let share = told.share_beside(diagnosis).min(0.5);
             told.against(diagnosis, share);
         }
-        let Some(zero) = diagnosis.missing.iter_mut().find(|m| sets_zero(m) && !m.describes()) else { return };
+        let Some(zero) = diagnosis.missing.iter_mut().find(|m| sets_zero(&m.cause) && !m.describes()) else { return };
         if is_likely {
             zero.doubt = Some(format!("it may be {text}"));
             diagnosis.verdict = Verdict::beside_what_describes(&diagnosis.missing);
@@ -214,23 +213,28 @@ impl HeldBack {
     }
 }
 
-/// The law that is told beside a model, and what the catalogue says of the model as it is written with that law.
+/// The law that is told beside a model, and what the catalogue says of the model as it is written with that law; it is held
+/// against what the catalogue says alone, and against the model with causes of the catalogue in its place.
 fn beside(
     data: &Data,
     model: &Model,
     candidates: &[Candidate],
-    (most, explained, limit): (usize, Option<Explained>, f64),
-    share: &dyn Fn(&Discovery<Ranked>) -> Option<f64>,
+    most: usize,
+    (of_catalogue, causes): (&Diagnosis, Option<&Model>),
     progress: &Progress,
 ) -> Sought {
     let Ok(own) = data.beside(model) else { return Sought::Nothing };
-    let Ok(found) = ranked(&own, candidates, explained, progress) else { return Sought::Nothing };
+    let Ok(found) = ranked(&own, candidates, explained(of_catalogue), progress) else {
+        return Sought::Nothing;
+    };
+    let limit = of_catalogue.criterion + HOPELESS;
     if found.told().is_none() {
         let Some(held_back) = held_back(data, &found) else { return Sought::Nothing };
         let told = if held_back.is_likely { told(data, found, (most, limit), progress) } else { None };
         return Sought::HeldBack(HeldBack { told: told.map(Box::new), ..held_back });
     }
-    let share = share(&found);
+    let share = causes.and_then(|causes| share_beside_causes(&found, causes, of_catalogue, data, progress));
+    let share = share.filter(|share| *share < 0.5);
     if share.is_some_and(|share| share < UNLIKELY) {
         return Sought::Nothing;
     }

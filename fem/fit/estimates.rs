@@ -78,7 +78,7 @@ pub fn estimates(
         let is_open = interval.is_open();
         let is_idle = variable.prior.is_none() && is_open && is_idle(objective, solution, i);
         // Where nothing depends on it, it stands wherever the search happened to leave it.
-        let at_bound = !is_idle && (position <= variable.low || position >= variable.high);
+        let at_bound = !is_idle && variable.is_at_bound(position);
         if at_bound {
             warnings.push("stands at its bound".to_string());
         }

@@ -281,7 +281,7 @@ impl Profile<'_> {
         let mut position = self.at(i, s.clamp(objective.variables[i].low, objective.variables[i].high));
         let mut parked = false;
         for (j, variable) in objective.variables.iter().enumerate().filter(|(j, _)| *j != i) {
-            if position[j] <= variable.low || position[j] >= variable.high {
+            if variable.is_at_bound(position[j]) {
                 parked = true;
                 position[j] = variable
                     .starts

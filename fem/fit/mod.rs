@@ -17,6 +17,7 @@ mod spreading;
 pub(crate) mod starts;
 mod steps;
 mod told_together;
+mod usual;
 
 pub use coarseness::Coarseness;
 pub use edits::{edits, five_digits, uncertain, uncertain_beside};
@@ -26,11 +27,12 @@ pub use jacobian::Differences;
 pub use known::Known;
 pub use least_squares::{StoppingCriterion, minimise, resume};
 pub use objective::{Objective, Solution, Trials};
-pub use search_variable::{SearchVariable, Usual};
+pub use search_variable::SearchVariable;
 pub use sizes::{EstimatedSize, size_estimate};
 pub use starts::best;
 pub use steps::MOST_STARTS;
 pub use told_together::{Combination, is_idle};
+pub use usual::Usual;
 
 use nalgebra::DMatrix;
 

@@ -1,6 +1,7 @@
 //! Search variables: transformed parameters in which the prediction is nearly linear, within bounds.
 
 use super::steps::Steps;
+use super::usual::Usual;
 use crate::input::{Bounds, Grows, Parameter};
 use crate::process::Neutral;
 use crate::units::{Knowledge, Quantity};
@@ -29,62 +30,6 @@ pub struct SearchVariable {
     pub steps: Option<Steps>,
 }
 
-/// Soft knowledge of a parameter of a candidate effect, in the search variable s: nothing is impossible, but what is
-/// unusual costs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Usual {
-    /// A size of either sign: ln |s| is spread about a centre.
-    Size {
-        /// Centre of ln |s|.
-        centre: f64,
-        /// Standard deviation of ln |s|.
-        spread: f64,
-    },
-    /// Anything that may vanish or has no size: s is spread about a centre.
-    Place {
-        /// Centre of s.
-        centre: f64,
-        /// Standard deviation of s.
-        spread: f64,
-    },
-    /// Something that somebody has adjusted: s has a normal distribution about zero, without the tails of the others.
-    Adjusted {
-        /// Standard deviation of s.
-        spread: f64,
-    },
-    /// One of so many places, each as likely as any other.
-    OneOf(usize),
-}
-
-impl Usual {
-    /// Standard deviation of a normal distribution whose middle nine tenths are a range of length one.
-    const NINE_TENTHS: f64 = 0.5 / 1.645;
-    /// Standard deviation of what is equally likely within a range of length one.
-    const EVEN: f64 = 0.288_675;
-    /// Ratio of the largest to the smallest usual size where the catalogue says no smallest.
-    const DECADES: f64 = 200.0;
-
-    /// The size that is usually not surpassed.
-    pub fn largest(&self) -> f64 {
-        const BEYOND: f64 = 2.0;
-        match self {
-            Self::Size { centre, spread } => (centre + BEYOND * spread).exp(),
-            Self::Place { centre, spread } => centre.abs() + BEYOND * spread,
-            Self::Adjusted { spread } => BEYOND * spread,
-            Self::OneOf(_) => f64::INFINITY,
-        }
-    }
-
-    fn size(smallest: f64, largest: f64) -> Self {
-        let (low, high) = (smallest.ln(), largest.ln());
-        Self::Size { centre: 0.5 * (low + high), spread: (high - low) * Self::NINE_TENTHS }
-    }
-
-    fn place(low: f64, high: f64) -> Self {
-        Self::Place { centre: 0.5 * (low + high), spread: (high - low) * Self::EVEN }
-    }
-}
-
 /// Ratio beyond the plausible range up to which a nonlinear parameter is tried.
 const BEYOND: f64 = 2.0;
 
@@ -97,9 +42,6 @@ const FAR: f64 = 10.0;
 
 /// Largest size of an unknown of the model, in terms of its usual one, that a fit tries before it asks.
 const AWAY: f64 = 100.0;
-
-/// Size of a candidate effect, in terms of the largest usual one, beyond which no machine has it.
-const BELIEVED: f64 = 100.0;
 
 /// Usual size of ln (v/v₀) of a value that somebody wrote as v₀, for steps.
 const RATIO: f64 = 0.2;
@@ -322,9 +264,14 @@ impl SearchVariable {
         position >= self.high && self.high < self.limits.1 || position <= self.low && self.low > self.limits.0
     }
 
-    /// Whether it is a size that no machine has: two effects that cancel each other grow so far.
+    /// Whether it stands at one of its bounds.
+    pub fn is_at_bound(&self, position: f64) -> bool {
+        position <= self.low || position >= self.high
+    }
+
+    /// Whether it is a size that no machine has.
     pub fn is_beyond_belief(&self, position: f64) -> bool {
-        self.usual.is_some_and(|own| matches!(own, Usual::Size { .. }) && position.abs() > BELIEVED * own.largest())
+        self.usual.is_some_and(|own| own.is_beyond_belief(position))
     }
 
     /// Moves the bounds further away.
