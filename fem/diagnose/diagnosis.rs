@@ -188,6 +188,16 @@ impl Missing {
 }
 
 impl Verdict {
+    /// The verdict where all of this is missing besides, terms of the noise among it.
+    pub(super) fn beside(self, missing: &[Missing], has_terms: bool) -> Self {
+        match self {
+            _ if missing.iter().any(Missing::describes) => Self::beside_what_describes(missing),
+            Self::Adequate if has_terms => Self::MissingEffect,
+            Self::Unexplained if has_terms => Self::PartlyExplained,
+            own => own,
+        }
+    }
+
     /// The verdict on a model some of which is only described: a curve, a wave or a zero that no law has explains nothing.
     pub fn beside_what_describes(missing: &[Missing]) -> Self {
         if missing.iter().all(Missing::describes) { Self::Unexplained } else { Self::PartlyExplained }

@@ -1,14 +1,10 @@
-//! Judges whether the noise explains the residuals, before and after the search.
+//! How well a model fits, and the verdict that this makes.
 
 use super::candidate_model::CandidateModel;
 use super::cross_validation::Folds;
-use crate::compare::{self, Comparison, Feature, Judges, SIGNIFICANCE, features as find_features};
+use crate::compare::{self, Comparison, Feature, SIGNIFICANCE, features as find_features};
 use crate::fit::reduced_chi2;
 use crate::measure::Repeats;
-use crate::noise::NoiseSource;
-
-/// Least part of the unexplained χ² that effects must explain to be named as the cause.
-const HALF: f64 = 0.5;
 
 /// Goodness of fit of a fitted model. SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,6 +52,11 @@ impl Verdict {
             Self::Unexplained => "unexplained",
             Self::NotJudged => "not-judged",
         }
+    }
+
+    /// Whether it is one of something that explains the rows.
+    pub(super) fn explains(self) -> bool {
+        !matches!(self, Self::Unexplained | Self::NotJudged)
     }
 }
 
@@ -108,30 +109,8 @@ pub fn features(trial: &CandidateModel) -> Vec<Feature> {
     find_features(&*objective.data.model.process, objective.data, &trial.residuals(), &objective.noise)
 }
 
-/// Verdict on the model before and with the best set, of rows that can tell one.
-pub fn verdict(
-    base: &CandidateModel,
-    best: &CandidateModel,
-    before: (&GoodnessOfFit, &[Feature]),
-    after: (&GoodnessOfFit, &[Feature]),
-    judges: Judges,
-) -> Verdict {
-    if judges == Judges::Nothing {
-        return Verdict::NotJudged;
-    }
-    match (best.members.is_empty(), is_noise(after.0, after.1)) {
-        (true, true) => Verdict::Adequate,
-        (true, false) => Verdict::Unexplained,
-        (false, true) => Verdict::MissingEffect,
-        (false, false) => {
-            let (was, is) = (excess(base, before.1), excess(best, after.1));
-            if 1.0 - is / was < HALF { Verdict::Unexplained } else { Verdict::PartlyExplained }
-        }
-    }
-}
-
 /// Whether the noise explains the residuals: every feature that was found is significant.
-fn is_noise(goodness: &GoodnessOfFit, features: &[Feature]) -> bool {
+pub fn is_noise(goodness: &GoodnessOfFit, features: &[Feature]) -> bool {
     goodness.is_as_noise() && features.is_empty()
 }
 
@@ -149,16 +128,4 @@ pub fn will_be_adequate(trial: &CandidateModel) -> bool {
 pub fn as_written(trial: &CandidateModel) -> Comparison {
     let objective = &trial.objective;
     compare::judged(objective.data, &objective.noise.terms, trial.solution.predicted.clone())
-}
-
-/// Part of χ² that the noise does not explain; where the noise is only estimated, the part that has
-/// structure.
-fn excess(trial: &CandidateModel, features: &[Feature]) -> f64 {
-    let chi2 = trial.solution.chi2;
-    match trial.objective.noise.source {
-        NoiseSource::Column | NoiseSource::Covariance | NoiseSource::Repeats => {
-            (chi2 - trial.objective.freedom()).max(0.0)
-        }
-        NoiseSource::Estimated => chi2 * features.iter().map(|f| f.share).fold(0.0, f64::max),
-    }
 }
