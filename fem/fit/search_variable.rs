@@ -357,7 +357,10 @@ fn bounds(scale: Scale, bounds: Bounds) -> (f64, f64) {
             Bounds::Any => (f64::NEG_INFINITY, f64::INFINITY),
             Bounds::Positive => (-1.0 + 1e-6, f64::INFINITY),
             Bounds::NotNegative => (-1.0, f64::INFINITY),
-            Bounds::Within(low, high) => (low / written - 1.0, high / written - 1.0),
+            Bounds::Within(low, high) => {
+                let ratio = |end: f64| end / written - 1.0;
+                (ratio(low).min(ratio(high)), ratio(low).max(ratio(high)))
+            }
         },
         (Scale::Ratio(written, Grows::Otherwise), Bounds::Within(low, high)) if written > 0.0 => {
             ((low.max(1e-3 * written) / written).ln(), (high / written).ln())
@@ -369,5 +372,25 @@ fn bounds(scale: Scale, bounds: Bounds) -> (f64, f64) {
         (Scale::Plain, Bounds::NotNegative) => (0.0, f64::INFINITY),
         (Scale::Plain, Bounds::Within(low, high)) => (low + 1e-3 * (high - low), high),
         (Scale::From(_), _) | (Scale::Plain, Bounds::Any) => (f64::NEG_INFINITY, f64::INFINITY),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SearchVariable;
+    use crate::input::Bounds;
+    use crate::process::Parameter;
+    use crate::units::NUMBER;
+
+    /// Of a value on trial that may have either sign, whichever it has.
+    #[test]
+    fn a_value_stays_within_its_bounds_whatever_its_sign() {
+        let effect = Parameter::amplitude("difference", NUMBER, "", (0.0, 1.0)).within(Bounds::Within(-2.0, 2.0));
+        for written in [0.5, -0.5, -0.1] {
+            let variable = SearchVariable::of_candidate(&effect.on_trial(written, 3.0), None);
+            let values = [-5.0, -2.0, written, 2.0, 5.0].map(|value| variable.value(variable.position(value)));
+            assert!(values.iter().all(|value| value.abs() <= 2.0 + 1e-12), "{written}: {values:?}");
+            assert!((values[2] - written).abs() < 1e-12, "{written}: {values:?}");
+        }
     }
 }
