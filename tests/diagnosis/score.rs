@@ -45,12 +45,13 @@ pub fn diagnose(data: &Data, most: usize, progress: &Progress) -> Result<Diagnos
     }
 }
 
-/// The diagnosis of a case alone.
-pub fn diagnosis(case: &Case) -> Result<Diagnosis, Failure> {
+/// The diagnosis of a case alone, or why there is none: readings may lie so far off that they are refused.
+pub fn diagnosis(case: &Case) -> Result<Diagnosis, String> {
     let model = Model::parse(Source::new("case.toml", case.model.clone())).expect("the model is right");
     let source = Source::new("case.csv", case.data.clone());
     let data = Measurements::parse(source, &*model.process).expect("so are the data");
-    diagnose(&Data::of(&model, data).expect("every row lies in the model"), MOST_EFFECTS, &Progress::default())
+    let data = Data::of(&model, data).map_err(|refused| refused.to_string())?;
+    diagnose(&data, MOST_EFFECTS, &Progress::default()).map_err(|failure| failure.to_string())
 }
 
 /// Diagnoses a case.
