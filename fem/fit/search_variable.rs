@@ -253,10 +253,7 @@ impl SearchVariable {
 
     /// Sign with which the value goes with the search variable.
     pub fn sign(&self) -> f64 {
-        match self.scale {
-            Scale::Reciprocal | Scale::Ratio(_, Grows::Inversely) => -1.0,
-            Scale::Plain | Scale::From(_) | Scale::Logarithm | Scale::Ratio(..) => 1.0,
-        }
+        if self.is_reversed() { -1.0 } else { 1.0 }
     }
 
     /// Whether a bound that gives way is in the way at a position.
@@ -333,10 +330,17 @@ impl SearchVariable {
 
     /// Whether the value falls as the search variable rises.
     pub fn is_reversed(&self) -> bool {
-        match self.scale {
-            Scale::Reciprocal => true,
-            Scale::Ratio(written, grows) => (written < 0.0) != (grows == Grows::Inversely),
-            Scale::Plain | Scale::From(_) | Scale::Logarithm => false,
+        self.scale.is_reversed()
+    }
+}
+
+impl Scale {
+    /// Whether the value falls as the search variable rises.
+    fn is_reversed(self) -> bool {
+        match self {
+            Self::Reciprocal => true,
+            Self::Ratio(written, grows) => (written < 0.0) != (grows == Grows::Inversely),
+            Self::Plain | Self::From(_) | Self::Logarithm => false,
         }
     }
 }
@@ -358,8 +362,8 @@ fn bounds(scale: Scale, bounds: Bounds) -> (f64, f64) {
             Bounds::Positive => (-1.0 + 1e-6, f64::INFINITY),
             Bounds::NotNegative => (-1.0, f64::INFINITY),
             Bounds::Within(low, high) => {
-                let ratio = |end: f64| end / written - 1.0;
-                (ratio(low).min(ratio(high)), ratio(low).max(ratio(high)))
+                let (first, last) = if scale.is_reversed() { (high, low) } else { (low, high) };
+                (first / written - 1.0, last / written - 1.0)
             }
         },
         (Scale::Ratio(written, Grows::Otherwise), Bounds::Within(low, high)) if written > 0.0 => {
@@ -391,6 +395,34 @@ mod tests {
             let values = [-5.0, -2.0, written, 2.0, 5.0].map(|value| variable.value(variable.position(value)));
             assert!(values.iter().all(|value| value.abs() <= 2.0 + 1e-12), "{written}: {values:?}");
             assert!((values[2] - written).abs() < 1e-12, "{written}: {values:?}");
+        }
+    }
+
+    /// The rate and its sign, with which covariances of values are told, are the slope of the value, in all scales.
+    #[test]
+    fn the_slope_of_a_value_is_its_rate_with_its_sign() {
+        let signed = Parameter::signed("shift", NUMBER, "", (-1.0, 1.0));
+        let shape = Parameter::shape("width", NUMBER, "", (0.5, 2.0));
+        let stiffness = Parameter::stiffness(NUMBER, "", (1.0, 4.0));
+        let factor = Parameter::factor("gain", NUMBER, "", (0.5, 1.5));
+        let on_trial = |own: &Parameter, written: f64| own.on_trial(written, 3.0);
+        let cases = [
+            on_trial(&signed, 0.5),
+            on_trial(&signed, -0.5),
+            on_trial(&shape, 0.7),
+            on_trial(&factor, -0.7),
+            on_trial(&stiffness, 2.0),
+            signed,
+            shape,
+            stiffness,
+            factor,
+        ];
+        for entry in cases {
+            let variable = SearchVariable::of_candidate(&entry, None);
+            let (at, step) = (0.3 * variable.unit, 1e-6 * variable.unit);
+            let slope = (variable.value(at + step) - variable.value(at - step)) / (2.0 * step);
+            let told = variable.sign() * variable.rate(at);
+            assert!((slope - told).abs() < 1e-6 * told.abs(), "{entry:?}: {slope} and {told}");
         }
     }
 }
