@@ -127,7 +127,9 @@ impl Error {
             Self::Compute(failure) => Problem::new(&failure.message).help(&failure.help),
             Self::Output(error) => Problem::new(error.to_string()).help(match error {
                 OutputError::Read { .. } => "name another file; models and measurements are never overwritten",
-                OutputError::Exists { .. } => "name another place, or let it be replaced with --force",
+                OutputError::Exists { .. } | OutputError::NotOwn { .. } => {
+                    "name another place, or let it be replaced with --force"
+                }
                 OutputError::Special { .. } => "name another place",
                 OutputError::Busy { .. } => "wait until that one has ended, and ask again",
                 OutputError::Link { .. } => {

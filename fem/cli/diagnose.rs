@@ -24,6 +24,7 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     let [path] = &args.models[..] else { return of_tests(args) };
     let reads = args.data.reads(path);
     let guard = Guard { reads: &reads, force: args.force };
+    refuse_one_file(args)?;
     if let Some(new) = &args.add_to {
         guard.check(new)?;
     }
@@ -41,6 +42,17 @@ pub fn run(args: &args::Diagnose) -> Result<(), Error> {
     }
     print_diagnosis(args, &data, &diagnosis)?;
     completed
+}
+
+/// Refuses a completed model that would stand where the rows to measure, or the longer model for them, do.
+fn refuse_one_file(args: &args::Diagnose) -> Result<(), Error> {
+    let (Some(new), Some(rows)) = (&args.add_to, &args.next) else { return Ok(()) };
+    let whole = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+    if [rows.clone(), rows.with_extension("toml")].iter().all(|other| whole(other) != whole(new)) {
+        return Ok(());
+    }
+    let problem = Problem::new(format!("--add-to and --next would both write {}", new.display()));
+    Err(problem.help("name two files: a model, and a table whose longer model stands beside it").into())
 }
 
 /// Writes the completed model.

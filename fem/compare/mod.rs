@@ -17,6 +17,8 @@ pub use rng::Rng;
 pub use significance::SIGNIFICANCE;
 pub use trend::Trend;
 
+use std::ops::Range;
+
 use nalgebra::DMatrix;
 
 use crate::measure::{MeasuredObservable, Measurements, Repeats, Scatter};
@@ -142,11 +144,27 @@ pub fn judged(data: &Data, terms: &[Term], predicted: Vec<f64>) -> Comparison {
         judges: Judges::of(measurements, &residuals, &noise, &repeats),
         features,
         suspects,
-        cautions: data.cautions.clone(),
+        cautions: data.cautions.iter().cloned().chain(caution(measurements, &noise, reduced_chi2)).collect(),
         predicted,
         residuals,
         noise,
     }
+}
+
+/// Caution about what a reduced χ² is of, to be read before it is believed: readings that are no measurement, or uncertainties
+/// that cannot be meant.
+pub fn caution(measurements: &Measurements, noise: &Noise, reduced_chi2: f64) -> Option<String> {
+    /// Standard uncertainties that a model is off by, or their part, in which nothing is stated any more: a hundred thousand, a
+    /// thousandth.
+    const NOT_TO_BE_MEANT: Range<f64> = 1e-3..1e5;
+    let times = reduced_chi2.sqrt();
+    if measurements.are_all_alike() {
+        let alike = "all readings are one number: nothing was measured, or the gauge is too coarse to see what the rows differ in";
+        return Some(alike.into());
+    }
+    (noise.source.is_known() && times > 0.0 && !NOT_TO_BE_MEANT.contains(&times)).then(|| {
+        format!("the rows are off by {times:.0e} times their standard uncertainties: are those meant, and in the right unit?")
+    })
 }
 
 /// Root mean square.

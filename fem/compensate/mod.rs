@@ -270,7 +270,7 @@ fn known(data: &Data, approaches: &[Approach]) -> Result<Known, Failure> {
     } else {
         let fit = fit(data)?;
         let values: Vec<f64> = fit.estimates.iter().map(|e| e.value).collect();
-        let adequate = fit.p_value.is_none_or(|p| p >= SIGNIFICANCE);
+        let adequate = fit.adequacy == Some(true);
         open.extend(fit.estimates.iter().filter_map(assumed));
         let agreement = ModelAgreement { rms: fit.rms, adequate, fitted: true };
         (model.forward_at(&values)?, model.system_at(&values)?, agreement)

@@ -20,7 +20,8 @@ use super::strain::Strain;
 use super::verdict::{self, GoodnessOfFit, Verdict};
 use super::{doubtful, findings, laplace, next};
 use crate::fit::{self, Fit, StoppingCriterion, minimise};
-use crate::noise::is_round_off;
+use crate::measure::Repeats;
+use crate::noise::{NoiseSource, is_round_off};
 use crate::process::Failure;
 
 /// Makes the diagnosis of the result of a search; `None` where its criterion is beyond `limit`.
@@ -43,7 +44,8 @@ pub fn conclude(
     let bent = bent_law::criterion_of_values(&found, &bent);
     let is_hopeless = |set: &CandidateModel| laplace::criterion_of_values(set).min(bent) > limit;
     let Some((best, mut judgement, fit)) = settled(&found, &judge, &posterior, is_hopeless)? else { return Ok(None) };
-    let strain = Strain::of(&best, doubtful::doubt(&best, judge.folds.as_ref(), &judge.before, &judgement.goodness));
+    let foresight = doubtful::doubt(&best, judge.folds.as_ref(), &judge.before, &judgement.goodness);
+    let strain = Strain::of(&best, foresight.into_iter().chain(doubtful::too_few(&best, judge.judges)));
     strain.weaken(&mut posterior);
     let confoundings = confoundings(&found, &best, &posterior);
     let mut missing = missing(&found, &best, &fit, &confoundings, (&judge, &posterior));
@@ -80,17 +82,23 @@ pub fn conclude(
         false => None,
     };
     let own = laplace::criterion_of_values(&best);
-    let (before, features) = match plain {
+    let (mut before, features) = match plain {
         Some(plain) => (before_terms(plain, &found.base, judge.folds.as_ref()), verdict::features(&plain.found.base)),
-        None => (judge.before.clone(), judge.features.clone()),
+        None => (alone(&found.base, &repeats, judge.folds.as_ref()), judge.features.clone()),
     };
+    // What was held out is told by the noise that all of it is told by.
+    let noise = judgement.goodness.noise.clone();
+    let searched = found.base.objective.noise.level(found.base.objective.data);
+    let steps = missing.iter_mut().map(|own| &mut own.goodness).chain([&mut before, &mut judgement.goodness]);
+    steps.for_each(|own| own.tell_held_out_by(searched.together() / noise.together()));
     Ok(Some(Diagnosis {
         rows: found.base.objective.data.len(),
         cautions: cautions(&found, (&repeats, &fit), verdict, conflicts).into_iter().chain(strain.cautions).collect(),
-        noise: found.base.objective.noise.level(found.base.objective.data),
+        noise,
         before,
         features,
         verdict,
+        judges: judge.judges,
         missing,
         outliers: findings::outliers(&best),
         verdict_after: if verdict == Verdict::MissingEffect { Verdict::Adequate } else { verdict },
@@ -210,11 +218,27 @@ fn tell_the_bend(missing: &mut [Missing], found: &SearchResult, best: &Candidate
     }
 }
 
+/// Goodness of fit of a model without candidate effects, as a fit of it has it: where the noise is only estimated, what is
+/// roughly known weighs against all that this model leaves.
+fn alone(base: &CandidateModel, repeats: &Repeats, folds: Option<&Folds>) -> GoodnessOfFit {
+    let goodness = GoodnessOfFit::of(base, repeats, folds);
+    let Some(alone) = weighed_alone(base) else { return goodness };
+    GoodnessOfFit { cross_validation: goodness.cross_validation, ..GoodnessOfFit::of(&alone, repeats, None) }
+}
+
+/// A model under the noise that it leaves itself, where that is only estimated and values are roughly known.
+fn weighed_alone<'a>(base: &CandidateModel<'a>) -> Option<CandidateModel<'a>> {
+    let is_weighed = base.objective.noise.source == NoiseSource::Estimated && base.objective.priors() > 0;
+    let mut alone = is_weighed.then(|| base.clone())?;
+    (alone.solution, _) = fit::settled(&mut alone.objective, alone.solution).ok()?;
+    Some(alone)
+}
+
 /// Goodness of fit of the model before any term of the noise was found; all of the table is told by one noise, that of the last
 /// hypothesis, whose model without effects this is.
 fn before_terms(plain: &Hypothesis, last: &CandidateModel, folds: Option<&Folds>) -> GoodnessOfFit {
     let base = &plain.found.base;
-    let mut goodness = GoodnessOfFit::of(base, &plain.repeats, folds);
+    let mut goodness = alone(base, &plain.repeats, folds);
     let level = |trial: &CandidateModel| trial.objective.noise.level(trial.objective.data).together();
     goodness.cross_validation = goodness.cross_validation.map(|cv| cv * level(base) / level(last));
     goodness

@@ -112,6 +112,10 @@ fn cross_validation(jacobian: &DMatrix<f64>, covariance: &DMatrix<f64>, own: DVe
     // Scaled by each parameter's own uncertainty, so that sizes can be compared.
     let scale = covariance.diagonal().map(f64::sqrt);
     let scaled = DMatrix::from_fn(n, n, |i, j| inner[(i, j)] * scale[j] / scale[i]);
+    // Where a model tells nothing there is no uncertainty to scale by, and the iteration does not take what is no number.
+    if scaled.iter().any(|v| !v.is_finite()) {
+        return None;
+    }
     let least = scaled.try_svd(false, false, f64::EPSILON, ROUNDS).map(|svd| svd.singular_values.min());
     if least.is_none_or(|least| least < UNTOLD) {
         return None;

@@ -7,7 +7,7 @@ use super::largest_change::LargestChange;
 use super::next::Next;
 use super::posterior::Posterior;
 use super::verdict::{GoodnessOfFit, Verdict};
-use crate::compare::Feature;
+use crate::compare::{Feature, Judges};
 use crate::fit::{Estimate, Fit};
 use crate::input::Name;
 use crate::noise::{MeasurementEffect, NoiseLevel, Term};
@@ -21,7 +21,7 @@ pub struct Diagnosis {
     pub rows: usize,
     /// Cautions about the data, to be read before the rest is believed.
     pub cautions: Vec<String>,
-    /// Noise by which everything was judged.
+    /// Noise that the model with all that was found is told by.
     #[doc(hidden)]
     pub noise: NoiseLevel,
     /// Goodness of fit of the model with its own parameters re-fitted.
@@ -31,6 +31,9 @@ pub struct Diagnosis {
     pub features: Vec<Feature>,
     /// Verdict.
     pub verdict: Verdict,
+    /// What these rows can tell of a model.
+    #[doc(hidden)]
+    pub judges: Judges,
     /// Missing effects, what rows share first, in the order in which they should be added.
     pub missing: Vec<Missing>,
     /// Rows that are wrong by themselves, weighed down.
@@ -69,6 +72,13 @@ pub struct Diagnosis {
 }
 
 impl Diagnosis {
+    /// The noise that a comparison of the model tells; where stated uncertainties were found to be others, what is left.
+    #[must_use]
+    #[doc(hidden)]
+    pub fn noise_before(&self) -> &NoiseLevel {
+        if self.noise.factor == 1.0 { &self.before.noise } else { &self.noise }
+    }
+
     /// Whether something remains that no effect explains.
     #[must_use]
     pub fn leaves_structure(&self) -> bool {

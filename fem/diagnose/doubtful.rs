@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use super::candidate_model::CandidateModel;
 use super::cross_validation::Folds;
 use super::verdict::GoodnessOfFit;
-use crate::compare::SIGNIFICANCE;
+use crate::compare::{Judges, SIGNIFICANCE};
 use crate::input::Name;
 use crate::model::Data;
 use crate::noise::{Term, beyond_f};
@@ -31,6 +31,26 @@ pub fn doubt(
             "what is left out by `{by}` is predicted no better with these causes: {is:.2} against {was:.2} of the noise"
         )
     })
+}
+
+/// Why the rows are too few for the causes of a set, if they are: no more is left than a few laws would leave of anything, or
+/// nothing tells the noise by which one cause is told from another.
+pub fn too_few(best: &CandidateModel, judges: Judges) -> Option<String> {
+    /// Degrees of freedom that rows leave beside the causes, from which they contradict wrong ones.
+    const LEAST_FREEDOM: f64 = 3.0;
+    let (data, has_causes) = (best.objective.data, !best.members.is_empty());
+    let (rows, places) = (data.len(), data.repeats().groups);
+    match has_causes {
+        true if judges == Judges::Wrong => Some(format!(
+            "rows at {places} places and no column u hardly tell the noise by which causes are told apart: something that \
+             is in no catalogue is as likely; repeat the rows, or give the column"
+        )),
+        true if best.objective.freedom() < LEAST_FREEDOM => Some(format!(
+            "{rows} rows are hardly more than the values that were found: something that is in no catalogue is as likely; \
+             measure at further places"
+        )),
+        _ => None,
+    }
 }
 
 /// The terms of a model, by number, that were found and whose zeros follow a column of the file, with that column.

@@ -27,7 +27,8 @@ pub struct Judge<'s, 'a> {
     pub before: GoodnessOfFit,
     /// Structure that it leaves.
     pub features: Vec<Feature>,
-    judges: Judges,
+    /// What the rows can tell.
+    pub judges: Judges,
     is_imitation: bool,
 }
 

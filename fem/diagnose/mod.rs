@@ -72,6 +72,7 @@ pub use verdict::{GoodnessOfFit, Verdict};
 
 use std::cell::RefCell;
 
+use crate::compare::Judges;
 use crate::fit::{self, Objective};
 use crate::model::{Data, Model};
 use crate::noise::Noise;
@@ -157,7 +158,11 @@ fn diagnose_all<'a>(data: &'a Data<'a>, limit: f64, extent: Extent<'_, 'a>) -> R
     objective.coarseness = coarseness::coarseness(&objective, &solution, &absent);
     let mut found = look_until_settled(&mut objective, &mut solution, &absent, &within, extent)?;
     let mut conflicts = Vec::new();
-    while let Some((parameter, conflict)) = prior_conflict::conflicting_prior(&found, &within) {
+    // Rows that do not tell their noise ask for no value against what is written.
+    let judges = Judges::of(data, &found.base.residuals(), &objective.noise, &within);
+    while judges == Judges::Both
+        && let Some((parameter, conflict)) = prior_conflict::conflicting_prior(&found, &within)
+    {
         if !progress.permits("the search with a value released that conflicts with what is written") {
             break;
         }

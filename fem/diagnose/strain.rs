@@ -23,8 +23,8 @@ pub struct Strain {
 }
 
 impl Strain {
-    /// What speaks against a fitted set; `doubt` is what does already.
-    pub fn of(set: &CandidateModel, doubt: Option<String>) -> Self {
+    /// What speaks against a fitted set; `doubts` are what does already.
+    pub fn of(set: &CandidateModel, doubts: impl IntoIterator<Item = String>) -> Self {
         let own = || own_values(set);
         let mut at_an_end: Vec<Name> =
             own().filter(|(_, i)| is_at_an_end(set, *i)).map(|(e, _)| e.name.clone()).collect();
@@ -38,7 +38,7 @@ impl Strain {
                 unusual.join(", ")
             )
         });
-        Self { at_an_end, cautions: doubt.into_iter().chain(caution).collect() }
+        Self { at_an_end, cautions: doubts.into_iter().chain(caution).collect() }
     }
 
     /// Whether it speaks against the whole set.

@@ -3,8 +3,9 @@
 use super::candidate_model::CandidateModel;
 use super::cross_validation::Folds;
 use crate::compare::{self, Comparison, Feature, SIGNIFICANCE, features as find_features};
-use crate::fit::reduced_chi2;
+use crate::fit::{reduced_chi2, told_noise};
 use crate::measure::Repeats;
+use crate::noise::NoiseLevel;
 
 /// Goodness of fit of a fitted model. SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +23,9 @@ pub struct GoodnessOfFit {
     /// Root mean square of the cross-validated residuals, of rows that were held out of the fit, in standard
     /// uncertainties.
     pub cross_validation: Option<f64>,
+    /// Noise that rms and χ² are told by: where it is only estimated, what neighbouring rows of its own residuals tell.
+    #[doc(hidden)]
+    pub noise: NoiseLevel,
     /// Prediction of every row.
     pub predicted: Vec<f64>,
 }
@@ -65,8 +69,10 @@ impl GoodnessOfFit {
     #[doc(hidden)]
     pub fn of(trial: &CandidateModel, repeats: &Repeats, folds: Option<&Folds>) -> Self {
         let (reduced_chi2, p_value) = reduced_chi2(&trial.objective, &trial.solution, repeats);
+        let noise = told_noise(&trial.objective, &trial.residuals());
         Self {
             rms: rms(trial),
+            noise: noise.level(trial.objective.data),
             rms_of: rms_of(trial),
             reduced_chi2,
             p_value,
@@ -77,6 +83,11 @@ impl GoodnessOfFit {
 }
 
 impl GoodnessOfFit {
+    /// Tells what was held out by a smaller or larger noise than the one by which it was found.
+    pub(super) fn tell_held_out_by(&mut self, ratio: f64) {
+        self.cross_validation = self.cross_validation.map(|held_out| held_out * ratio);
+    }
+
     /// Whether the noise is as large as what is left, if it is known; what is left may still have structure.
     pub fn is_as_noise(&self) -> bool {
         self.p_value.is_none_or(|p| p >= SIGNIFICANCE)
@@ -88,7 +99,7 @@ pub fn rms(trial: &CandidateModel) -> f64 {
     let objective = &trial.objective;
     let residuals = trial.residuals();
     let left = objective.noise.unshared(&residuals);
-    let left = objective.data.together(&left, &objective.noise.sigma);
+    let left = objective.data.together(&left, &told_noise(objective, &residuals).sigma);
     let counted = left.iter().enumerate().filter(|(row, _)| !objective.noise.is_weighed_down(*row));
     compare::rms(&counted.map(|(_, error)| *error).collect::<Vec<_>>())
 }

@@ -85,10 +85,8 @@ pub struct ProfiledMinimum {
 /// The model cannot be computed beside a minimum.
 pub fn profile_intervals(objective: &mut Objective, minimum: Solution) -> Result<ProfiledMinimum, Failure> {
     let mut gone = 0;
-    let (mut solution, mut jacobian) = about(objective, minimum).ok_or_else(|| Failure {
-        message: "the model cannot be computed beside the best values".into(),
-        help: "check bounds and values".into(),
-    })?;
+    let (mut solution, mut jacobian) =
+        about(objective, minimum.clone()).ok_or_else(|| objective.why_not_beside(&minimum.position))?;
     loop {
         let covariance = objective.covariance(&jacobian);
         let walked = |i: usize| {

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::objective::{Objective, Solution};
-use crate::process::Rows;
+use crate::process::{Failure, Rows};
 
 /// Differences by which a Jacobian is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub enum Differences {
 pub struct Slopes {
     /// SI per unit of the search variables, which no noise changes: a row for each of the data, a column for each variable.
     pub matrix: DMatrix<f64>,
-    /// Sides of the variables on which the prediction jumps right beside the point, and χ² is no lower beyond.
+    /// Sides of the variables on which the prediction jumps right beside the point, and χ² is no lower beyond, or ends.
     pub jumps: Vec<Option<Jump>>,
 }
 
@@ -43,7 +43,7 @@ const NO_CHANGE: f64 = 1e-6;
 
 impl Objective<'_> {
     /// Slopes of the prediction about a point by these differences; columns of variables that are `held` are zero. Central ones
-    /// leave out a side on which the prediction jumps: a difference across a jump is no slope.
+    /// leave out a side on which the prediction jumps, or that cannot be computed: a difference across a jump is no slope.
     pub fn slopes_about(&self, here: &Solution, held: &[usize], differences: Differences) -> Option<Slopes> {
         let column = |i: usize| -> Option<(Vec<f64>, Option<Jump>)> {
             if held.contains(&i) {
@@ -56,14 +56,24 @@ impl Objective<'_> {
             };
             match differences {
                 Differences::Central => {
-                    let (below, above) = (self.moved(here, i, low)?, self.moved(here, i, high)?);
-                    let jump = self.jump(here, i, [(low, &below), (high, &above)]);
-                    let slope = match jump {
-                        None => slope(&below, &above, high - low),
-                        Some(Jump::Below) => slope(&here.predicted, &above, high - middle),
-                        Some(Jump::Above) => slope(&below, &here.predicted, middle - low),
-                    };
-                    Some((slope, jump))
+                    let (below, above) = (self.moved(here, i, low), self.moved(here, i, high));
+                    let of_above = |above: &[f64]| slope(&here.predicted, above, high - middle);
+                    let of_below = |below: &[f64]| slope(below, &here.predicted, middle - low);
+                    match (below, above) {
+                        (Some(below), Some(above)) => {
+                            let jump = self.jump(here, i, [(low, &below), (high, &above)]);
+                            let slope = match jump {
+                                None => slope(&below, &above, high - low),
+                                Some(Jump::Below) => of_above(&above),
+                                Some(Jump::Above) => of_below(&below),
+                            };
+                            Some((slope, jump))
+                        }
+                        // The edge of where the model can be computed bars a side as a jump does.
+                        (None, Some(above)) if high > middle => Some((of_above(&above), Some(Jump::Below))),
+                        (Some(below), None) if low < middle => Some((of_below(&below), Some(Jump::Above))),
+                        _ => None,
+                    }
                 }
                 Differences::Forward => {
                     // Inwards at a bound.
@@ -171,6 +181,32 @@ impl Objective<'_> {
         }
         all.columns_mut(blind.len(), own.ncols()).copy_from(&own);
         Some(all)
+    }
+
+    /// Why the model cannot be computed beside a position: the first parameter that stands alone there, and what the model
+    /// says of a value beside.
+    pub fn why_not_beside(&self, position: &DVector<f64>) -> Failure {
+        let reason = |i: usize| {
+            let (low, high) = self.around(position, i);
+            let at = |s: f64| {
+                let mut moved = position.clone();
+                moved[i] = s;
+                self.forward(&moved).and_then(|job| job.observe(&self.data.rows)).err()
+            };
+            let failure = at(low).and(at(high))?;
+            let (parameter, value) = (&self.parameters[i], self.variables[i].value(position[i]));
+            Some((parameter.path.clone(), parameter.kind.format(value), failure))
+        };
+        match (0..self.variables.len()).find_map(reason) {
+            Some((path, value, failure)) => Failure {
+                message: format!("beside the best value of {path}, {value}, the model cannot be computed: {failure}"),
+                help: failure.help,
+            },
+            None => Failure {
+                message: "the model cannot be computed beside the best values".into(),
+                help: "give the parameters values from which `fem run` works".into(),
+            },
+        }
     }
 
     /// Two values of a search variable close by, for a central difference; one-sided at a bound.

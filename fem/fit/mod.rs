@@ -34,6 +34,8 @@ pub use steps::MOST_STARTS;
 pub use told_together::{Combination, is_idle};
 pub use usual::Usual;
 
+use std::borrow::Cow;
+
 use nalgebra::DMatrix;
 
 use crate::compare::{self, SIGNIFICANCE, rms};
@@ -56,7 +58,8 @@ pub struct Fit {
     pub sizes: Vec<EstimatedSize>,
     /// Prediction of every row with the fitted values.
     pub predicted: Vec<f64>,
-    /// Noise by which the rows were weighted.
+    /// Noise that is told: that by which the rows were weighted, or, where it is only estimated, what neighbouring rows
+    /// of the residuals tell.
     #[doc(hidden)]
     pub noise: Noise,
     /// Root mean square residual of the fitted model, SI; in standard uncertainties where the file has
@@ -67,6 +70,9 @@ pub struct Fit {
     pub reduced_chi2: f64,
     /// Probability that chance alone gives a larger χ² (p-value); `None` where the noise is only estimated.
     pub p_value: Option<f64>,
+    /// Whether the noise explains what is left, as a comparison of the fitted model will say; `None` where the rows cannot
+    /// tell it.
+    pub adequacy: Option<bool>,
     /// Pairs of parameters (by position) with their correlation, where it is strong.
     pub correlated: Vec<(usize, usize, f64)>,
     /// Pairs of parameters (by position) of which all rows tell one combination alone.
@@ -121,30 +127,47 @@ pub fn fit(data: &Data) -> Result<Fit, Failure> {
 }
 
 fn fitted(data: &Data) -> Result<Fit, Failure> {
-    let repeats = data.repeats();
     let mut objective = Objective::new(data)?;
     let mut solution = starts::best(&mut objective)?;
     let known = data.uncertainty.is_some() && data.terms.is_empty();
-    let mut within = repeats.clone();
+    let mut within = data.repeats().clone();
     if !known {
-        // The noise is estimated from the residuals of the best model, and priors are weighted against it:
-        // two rounds settle both.
-        for _ in 0..2 {
-            let left = data.residuals(&solution.predicted);
-            let mean = objective.mean(&solution).unwrap_or_else(|| DMatrix::zeros(data.len(), 0));
-            (objective.noise, within) = Noise::stated(&data.terms, data, repeats, &left, &mean);
-            if objective.noise.source == NoiseSource::Estimated {
-                objective.noise = objective.residual_noise(&solution);
-            }
-            solution = least_squares::solve(&mut objective, &solution.position)?;
-        }
+        (solution, within) = settled(&mut objective, solution)?;
     }
     let settled = profile_intervals(&mut objective, solution)?;
     let fit = report(&objective, settled.clone(), &within);
     let mean = objective.mean(&settled.solution).unwrap_or_else(|| DMatrix::zeros(data.len(), 0));
     let residuals = data.residuals(&fit.predicted);
     let restricted = Restricted { measurements: data, residuals: &residuals, mean: &mean };
-    Ok(Fit { sizes: sizes::estimated(data, &restricted, &fit.noise), ..fit })
+    Ok(Fit { sizes: sizes::estimated(data, &restricted, &objective.noise), ..fit })
+}
+
+/// A solution under the noise that it leaves itself, with the effects of the measurement that the model states, and the repeats
+/// within the groups that these set apart: an estimated noise is that of all that is left, and what is roughly known is weighed
+/// against it.
+///
+/// # Errors
+/// The model cannot be computed.
+pub fn settled(objective: &mut Objective, mut solution: Solution) -> Result<(Solution, Repeats), Failure> {
+    /// Most rounds, and the ratio between two estimates of the noise from which it has settled.
+    const ROUNDS: usize = 10;
+    const SETTLED: f64 = 1.0001;
+    let data = objective.data;
+    let mut within = data.repeats().clone();
+    for _ in 0..ROUNDS {
+        let before = objective.noise.clone();
+        let left = data.residuals(&solution.predicted);
+        let mean = objective.mean(&solution).unwrap_or_else(|| DMatrix::zeros(data.len(), 0));
+        (objective.noise, within) = Noise::stated(&data.terms, data, data.repeats(), &left, &mean);
+        if objective.noise.source == NoiseSource::Estimated {
+            objective.noise = objective.residual_noise(&solution);
+        }
+        solution = least_squares::solve(objective, &solution.position)?;
+        if objective.noise.is_about(&before, SETTLED) {
+            break;
+        }
+    }
+    Ok((solution, within))
 }
 
 /// What is said of a search that has used up its steps.
@@ -160,7 +183,10 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
     let residuals = objective.data.residuals(&solution.predicted);
     let (reduced_chi2, p_value) = reduced_chi2(objective, &solution, repeats);
     let estimates = estimates::estimates(objective, &solution, &covariance, intervals, &told_together);
-    let rms = rms(&objective.data.together(&residuals, &objective.noise.sigma));
+    let noise = told_noise(objective, &residuals).into_owned();
+    let rms = rms(&objective.data.together(&residuals, &noise.sigma));
+    let written = compare::judged(objective.data, &objective.noise.terms, solution.predicted.clone());
+    let is_too_much = p_value.is_some_and(|p| p < SIGNIFICANCE);
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt();
     let known = Known::of(objective, &solution, &covariance);
     let pairs = (0..estimates.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
@@ -170,6 +196,7 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
     if !solution.is_at_rest {
         doubts.push(UNSETTLED.into());
     }
+    doubts.extend(compare::caution(objective.data, &noise, reduced_chi2));
     Fit {
         doubts,
         correlated: strong.collect(),
@@ -178,10 +205,11 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
         estimates,
         sizes: Vec::new(),
         predicted: solution.predicted,
-        noise: objective.noise.clone(),
+        noise,
         rms,
         reduced_chi2,
         p_value,
+        adequacy: written.adequacy().map(|is_adequate| is_adequate && !is_too_much),
         failures: objective.trials.failures(),
         evaluations: objective.trials.evaluations(),
     }
@@ -191,7 +219,19 @@ pub fn report(objective: &Objective, settled: ProfiledMinimum, repeats: &Repeats
 pub fn reduced_chi2(objective: &Objective, solution: &Solution, repeats: &Repeats) -> (f64, Option<f64>) {
     let (data, noise) = (objective.data, &objective.noise);
     let residuals = data.residuals(&solution.predicted);
-    let of_rows: f64 = noise.whiten(residuals.iter().copied()).iter().map(|z| z * z).sum();
     let taken = data.len() as f64 - objective.freedom() - noise.free_directions() as f64;
-    compare::reduced_chi2(data, (&residuals, noise), repeats, (taken, (solution.chi2 - of_rows).max(0.0)))
+    let told = told_noise(objective, &residuals);
+    compare::reduced_chi2(data, (&residuals, &told), repeats, (taken, objective.prior_chi2(&solution.position)))
+}
+
+/// The noise by which residuals are told, as a comparison of the fitted model will: where it is only estimated, a fit weighs
+/// by all that is left, and what is left may be more than noise.
+pub fn told_noise<'o>(objective: &'o Objective, residuals: &[f64]) -> Cow<'o, Noise> {
+    let (data, noise) = (objective.data, &objective.noise);
+    // Beside terms the likelihood has found its level, and a comparison finds it so too.
+    if noise.source == NoiseSource::Estimated && noise.terms.is_empty() {
+        Cow::Owned(Noise::of(data, data.repeats(), residuals))
+    } else {
+        Cow::Borrowed(noise)
+    }
 }

@@ -220,6 +220,18 @@ impl Measurements {
         }
     }
 
+    /// Whether all readings of each observable are one number, to the last digit: nothing was measured, or nothing is seen of
+    /// what the rows differ in.
+    pub fn are_all_alike(&self) -> bool {
+        /// What directions that were taken out leave of such readings, SI: less than the size of a proton.
+        const ROUND_OFF: f64 = 1e-15;
+        let is_one = |rows: Vec<usize>| {
+            let mut all = rows.iter().map(|row| self.observed[*row]);
+            all.next().is_none_or(|first| all.all(|own| (own - first).abs() <= ROUND_OFF))
+        };
+        self.len() > 1 && self.rows_by_observable().into_iter().all(is_one)
+    }
+
     /// Number, among the file's observables, of the one that a row observes.
     pub fn observable(&self, row: usize) -> usize {
         self.observables.iter().position(|s| s.position == self.rows.observable[row]).unwrap_or(0)

@@ -76,6 +76,18 @@ fn some_far_off(observable: &Observable, measurements: &Measurements, readings: 
     Some(problem.help("write them in the unit of the column, or leave them out"))
 }
 
+/// The problem of a reading beyond what the process lets a prediction be.
+fn not_to_be_meant(model: &Model, measurements: &Measurements, rows: &Rows, position: usize) -> Option<Problem> {
+    let limit = model.system.limit(position)?;
+    let is_beyond = |row: &usize| rows.observable[*row] == position && measurements.observed[*row].abs() >= limit.size;
+    let row = (0..rows.len()).find(is_beyond)?;
+    let observable = &model.process.observables()[position];
+    let shown = observable.kind.format(measurements.observed[row]);
+    let problem =
+        Problem::new(format!("`{}` is {shown} in {}: {}", observable.name, measurements.place(row), limit.why));
+    Some(problem.help("write it in the unit of the column, or leave it out"))
+}
+
 /// The problem of readings whose middle lies farther from what the drawing says than any such difference is.
 pub fn implausible(model: &Model, measurements: &Measurements, rows: &Rows) -> Option<Problem> {
     for (position, observable) in model.process.observables().iter().enumerate() {
@@ -85,8 +97,14 @@ pub fn implausible(model: &Model, measurements: &Measurements, rows: &Rows) -> O
         if let Some(problem) = are_actual(model, measurements, rows, (position, &own)) {
             return Some(problem);
         }
-        if own.is_empty() || !observable.largest.is_finite() {
+        if own.is_empty() {
             continue;
+        }
+        if !observable.largest.is_finite() {
+            match not_to_be_meant(model, measurements, rows, position) {
+                Some(problem) => return Some(problem),
+                None => continue,
+            }
         }
         // An error is nought where all is as the drawing says; all else is what the ideal system makes.
         let predicted = match observable.error_kind() == observable.kind {

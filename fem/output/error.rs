@@ -26,9 +26,15 @@ pub enum OutputError {
         #[doc(hidden)]
         error: VtkError,
     },
-    /// A file stands in its place that the program did not write, or that was changed since.
-    #[error("{} is there already; it was changed since, or this account did not write it", path.display())]
+    /// A file stands in its place.
+    #[error("{} is there already", path.display())]
     Exists {
+        /// Path of the file.
+        path: PathBuf,
+    },
+    /// A file stands among results that is not known to be one of them.
+    #[error("{} is there already; it was changed since, or this account did not write it", path.display())]
+    NotOwn {
         /// Path of the file.
         path: PathBuf,
     },

@@ -4,12 +4,13 @@ use serde_json::{Value as Json, json};
 
 use super::answer::Answer;
 use super::block::{Block, Cell, Column, Table};
+use super::comparison::{NO_STRUCTURE, not_judged};
 use super::json::finite;
 use super::measurement::{self, files};
 use super::number;
-use crate::compare::SIGNIFICANCE;
 use crate::fit::{Estimate, Fit};
 use crate::model::Data;
+use crate::noise::NoiseSource;
 use crate::progress::Progress;
 use crate::units::Knowledge;
 
@@ -44,13 +45,16 @@ impl Answer for FitAnswer<'_> {
             let (a, b) = (&fit.estimates[*i].parameter.path, &fit.estimates[*j].parameter.path);
             blocks.push(Block::Lines(format!("\n  {a} and {b} can hardly be told apart (correlation {c:+.3})\n")));
         }
-        let verdict = match adequate(fit) {
-            _ if !fit.reduced_chi2.is_finite() => {
+        let verdict = match (fit.adequacy, fit.p_value) {
+            _ if !fit.reduced_chi2.is_finite() && fit.noise.source == NoiseSource::Repeats => {
                 "as many parameters as conditions leave nothing to judge the model by"
             }
-            Some(true) => "the noise explains what is left",
-            Some(false) => "more is left than the noise explains: something is missing, or what is written is wrong",
-            None => "whether that is noise cannot be told without repeats or a column u",
+            (None, _) => not_judged(data),
+            (Some(true), Some(_)) => "the noise explains what is left",
+            (Some(true), None) => NO_STRUCTURE,
+            (Some(false), _) => {
+                "more is left than the noise explains: something is missing, or what is written is wrong"
+            }
         };
         let chi2 = Some(fit.reduced_chi2).filter(|chi2| chi2.is_finite());
         let chi2 = chi2.map_or(String::new(), |chi2| format!(", chi2/dof {}", number::fixed(chi2, 3)));
@@ -80,7 +84,7 @@ impl Answer for FitAnswer<'_> {
             "unit": kind.unit,
             "chi2_per_dof": finite(fit.reduced_chi2),
             "p_value": fit.p_value,
-            "adequate": adequate(fit),
+            "adequate": fit.adequacy,
             "parameters": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
             "sizes": fit.sizes.iter().map(|s| estimate(&s.estimate)).collect::<Vec<_>>(),
             "correlated": fit.correlated.iter().map(|(i, j, c)| json!([name(*i), name(*j), c])).collect::<Vec<_>>(),
@@ -114,11 +118,6 @@ pub(super) fn estimate(e: &Estimate) -> Json {
         "prior": prior,
         "warnings": e.warnings,
     })
-}
-
-/// Whether the noise explains the residuals of the fitted model; unknown where the noise is only estimated.
-fn adequate(fit: &Fit) -> Option<bool> {
-    fit.p_value.map(|p| p >= SIGNIFICANCE)
 }
 
 /// Cautions to be read before the rest is believed: on the data, then on what the fitted model asks of the machine.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::OutputError;
 use super::answer::Answer;
-use super::files::{Guard, Stage};
+use super::files::{Account, Guard, Stage};
 use super::staged::Staged;
 use crate::progress::Progress;
 
@@ -47,6 +47,10 @@ impl Folder<'_> {
         let mut files = Staged::new(Stage::new(self.directory, command, self.guard)?, progress);
         write(&mut files)?;
         let list = files.publish()?.into_iter().map(|name| format!("\n  {}", self.directory.join(name).display()));
-        Ok(format!("\nwritten{}\n", list.collect::<String>()))
+        // Results that nothing proves to be the program's own are not replaced by the next run.
+        let unknown = Account::unusable().map_or(String::new(), |reason| {
+            format!("\nnote: {reason}: the next run will not know these files as its own, and asks for --force\n")
+        });
+        Ok(format!("\nwritten{}\n{unknown}", list.collect::<String>()))
     }
 }

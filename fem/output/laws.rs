@@ -6,7 +6,7 @@ use serde_json::{Value as Json, json};
 use super::answer::Answer;
 use super::apart;
 use super::block::{Block, Column, Table};
-use super::comparison::NOT_JUDGED;
+use super::comparison::not_judged;
 use super::diagnosis::{add, with};
 use super::fit::{Short, estimate, rows};
 use super::measurement::{self, files};
@@ -62,7 +62,7 @@ impl Answer for LawsAnswer<'_> {
         let mut blocks = vec![Block::Sentence(format!("{name} beside {}: {} rows", data.name, data.len()))];
         let Some(best) = found.laws.first() else {
             blocks.push(Block::Sentence(match found.is_nothing_left {
-                _ if !found.is_judged() => NOT_JUDGED.into(),
+                _ if !found.is_judged() => not_judged(data).into(),
                 true => format!("nothing is left for a law: chi2/dof {:.3}, what noise gives", found.before),
                 false => format!("chi2/dof {:.3} is left, and no law of {} explains it", found.before, sought(found)),
             }));

@@ -4,8 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use super::{
     Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
-    Definition, Description, Failure, FormulaLaw, Forward, ForwardModel, Making, Misplaced, NoLaw, Observable, Odds,
-    Places, Positioning, Process, Requirement, Rows, RunReport, Spot, System, UnitRole, Variant,
+    Definition, Description, Failure, FormulaLaw, Forward, ForwardModel, Limit, Making, Misplaced, NoLaw, Observable,
+    Odds, Places, Positioning, Process, Requirement, Rows, RunReport, Spot, System, UnitRole, Variant,
 };
 use crate::gcode::Workpiece;
 use crate::input::Reader;
@@ -87,6 +87,10 @@ impl<D: Definition> System for Ready<D> {
 
     fn misplaced(&self, rows: &Rows) -> Vec<Misplaced> {
         D::misplaced(&self.setup, rows)
+    }
+
+    fn limit(&self, observable: usize) -> Option<Limit> {
+        Some(D::limit(&self.setup, observable))
     }
 
     fn programme(&self) -> Rows {

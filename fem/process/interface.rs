@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::{
     Active, Advice, CandidateExperiment, Characteristic, Command, Commanded, Contradiction, Coordinate, DatumDirection,
-    Description, Failure, Making, Misplaced, NoLaw, Observable, Odds, Places, Positioning, Requirement, Rows,
+    Description, Failure, Limit, Making, Misplaced, NoLaw, Observable, Odds, Places, Positioning, Requirement, Rows,
     RunReport, Spot, UnitRole, Variant,
 };
 use crate::gcode::Workpiece;
@@ -84,6 +84,11 @@ pub trait System: Send + Sync {
 
     /// The rows that lie outside the system: off the body, beyond the programme.
     fn misplaced(&self, rows: &Rows) -> Vec<Misplaced>;
+
+    /// Bound beyond which a value of an observable, by its number, cannot be meant; `None` where nothing is known of it.
+    fn limit(&self, _observable: usize) -> Option<Limit> {
+        None
+    }
 
     /// The rows of its own programme, in the order in which they are predicted, every coordinate resolved.
     fn programme(&self) -> Rows;

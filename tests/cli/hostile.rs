@@ -336,7 +336,12 @@ fn without_a_state_folder_nothing_is_taken_for_its_own() {
     let fem = |args: &[&str]| {
         super::fem::answer(place.command(args).env("XDG_STATE_HOME", place.path("file")).output().unwrap())
     };
-    assert_eq!(fem(&["run", "model.toml"]).status, 0);
+    let first = fem(&["run", "model.toml"]);
+    assert!(
+        first.status == 0 && first.out.contains("the next run will not know these files as its own"),
+        "{}",
+        first.out
+    );
     let again = fem(&["run", "model.toml"]);
     assert!(again.status == 2 && again.err.contains("is there already"), "{}", again.err);
     assert_eq!(fem(&["run", "model.toml", "--force"]).status, 0);

@@ -37,8 +37,102 @@ fn rows_that_are_too_few_or_too_equal_give_no_verdict() {
             assert_eq!(found["verdict"], "not-judged", "{name}, {command}: {found:#}");
         }
         let told = place.fem(&["diagnose", "rigid.toml", "--with", "m.csv"]).out;
-        assert!(told.contains("not judged: too few rows at different places") && !told.contains("certain"), "{told}");
+        let reason = if name == "same" { "all readings are one number" } else { "too few rows at different places" };
+        assert!(told.contains(&format!("not judged: {reason}")) && !told.contains("certain"), "{told}");
     }
+}
+
+/// A case with a hidden effect, its readings replaced.
+fn hidden(place: &Place, case: &str, observable: &str, reading: impl Fn(usize, f64) -> String) {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/hidden").join(case);
+    place.write("model.toml", std::fs::read(folder.join("model.toml")).unwrap());
+    let rows = std::fs::read_to_string(folder.join("measured.csv")).unwrap();
+    let column = rows.lines().next().unwrap().split(',').position(|cell| cell.starts_with(observable)).unwrap();
+    let line = |(number, line): (usize, &str)| {
+        let mut cells: Vec<String> = line.split(',').map(String::from).collect();
+        if number > 0 && !cells[column].is_empty() {
+            cells[column] = reading(number, cells[column].parse().unwrap());
+        }
+        cells.join(",") + "\n"
+    };
+    place.write("m.csv", rows.lines().enumerate().map(line).collect::<String>());
+}
+
+/// A channel that does not answer, or a gauge that is too coarse: 0 in every row, with repeats, a column u, or neither.
+#[test]
+fn readings_that_are_all_one_number_tell_nothing() {
+    let place = Place::new();
+    let cases = [
+        ("stiffness-001", "displacement", "fit"),
+        ("ring-010", "deviation", "compare"),
+        ("ring-013", "deviation", "compare"),
+        ("axis-002", "deviation", "fit"),
+        ("turning-001", "diameter_error", "fit"),
+        ("fixture-000", "height_error", "compare"),
+    ];
+    for (case, observable, other) in cases {
+        for reading in ["0", "5"] {
+            hidden(&place, case, observable, |_, _| reading.into());
+            let found = json(&place, &["diagnose", "model.toml", "--with", "m.csv"]);
+            assert_eq!(found["verdict"], "not-judged", "{case}: {found:#}");
+            assert!(found["missing"].as_array().unwrap().is_empty(), "{case}: {found:#}");
+            let cautions = found["cautions"].to_string();
+            assert!(cautions.contains("all readings are one number") && !cautions.contains("ask for"), "{cautions}");
+            let other = json(&place, &[other, "model.toml", "--with", "m.csv"]);
+            let adequate = if other["models"].is_null() { &other["adequate"] } else { &other["models"][0]["adequate"] };
+            assert!(
+                adequate.is_null() && other.to_string().contains("all readings are one number"),
+                "{case}: {other:#}"
+            );
+        }
+    }
+}
+
+/// No process takes a reading that none of its predictions could be.
+#[test]
+fn a_reading_beyond_all_that_is_predicted_is_refused() {
+    let place = Place::new();
+    let cases = [
+        ("stiffness-001", "displacement", "that is no joint any more"),
+        ("axis-002", "deviation", "as large as the travel"),
+        ("axis-000", "deviation", "as large as the travel"),
+        ("thermal-000", "temperature", "no body stands that"),
+        ("thermal-000", "elongation", "no body grows by its own length"),
+        ("turning-002", "diameter_error", "from what the drawing says"),
+        ("fixture-000", "height_error", "from what the drawing says"),
+    ];
+    for (case, observable, why) in cases {
+        for wild in ["1e30", "-1e6"] {
+            let first = std::cell::Cell::new(true);
+            let own = |_: usize, value: f64| if first.replace(false) { wild.to_string() } else { value.to_string() };
+            hidden(&place, case, observable, own);
+            let refused = place.fem(&["diagnose", "model.toml", "--with", "m.csv"]);
+            let is_told = refused.err.contains(why) && refused.err.contains("in line ");
+            assert!(refused.status == 2 && is_told, "{case}, {wild}: {}", refused.err);
+        }
+    }
+}
+
+/// Uncertainties of a billionth of what is left, or of a billion times as much, are told, and are no reason for a certain cause to
+/// be hidden.
+#[test]
+fn uncertainties_that_cannot_be_meant_are_told() {
+    let place = Place::new();
+    for (case, u) in [("fixture-000", "1e-9"), ("axis-002", "1e-9"), ("turning-001", "1e9")] {
+        hidden(&place, case, "u ", |_, _| u.into());
+        let found = json(&place, &["diagnose", "model.toml", "--with", "m.csv"]);
+        let caution = "times their standard uncertainties: are those meant, and in the right unit?";
+        assert!(found["cautions"].to_string().contains(caution), "{case}: {found:#}");
+    }
+}
+
+/// Readings of the other sign bring values to where the jaws let go: there is a side beside them all the same.
+#[test]
+fn a_model_on_the_edge_of_what_can_be_computed_has_a_diagnosis() {
+    let place = Place::new();
+    hidden(&place, "ring-010", "deviation", |_, value| (-value).to_string());
+    let found = json(&place, &["diagnose", "model.toml", "--with", "m.csv"]);
+    assert_ne!(found["verdict"], "adequate", "{found:#}");
 }
 
 #[test]

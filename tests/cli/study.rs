@@ -366,6 +366,22 @@ fn rows_that_were_altered_are_not_believed() {
     place.write("2/rows.csv", second.replacen("\n22,", "\n22,1", 1));
     let merged = place.fem(&["study", "merge", "1", "2", "-o", "merged"]);
     assert!(merged.status == 2 && merged.err.contains("row 22 of shard 2/2"), "{}", merged.err);
+    // What the rows are held against is no file to go on without.
+    place.write("2/rows.csv", &second);
+    std::fs::remove_file(place.path("2/.fem-rows.sums")).unwrap();
+    let merged = place.fem(&["study", "merge", "1", "2", "-o", "merged"]);
+    assert!(merged.status == 2 && merged.err.contains("copy the whole folder"), "{}", merged.err);
+    std::fs::remove_file(place.path("out/.fem-rows.sums")).unwrap();
+    place.write("out/rows.csv", altered(&other("999")));
+    for force in [&[][..], &["--force"]] {
+        let refused = study(force);
+        assert!(refused.status == 2 && refused.err.contains("nothing tells whether"), "{}", refused.err);
+    }
+    assert_eq!(study(&["--restart"]).status, 0);
+    std::fs::remove_file(place.path("out/.fem-study.json")).unwrap();
+    let refused = study(&["--force"]);
+    assert!(refused.status == 2 && refused.err.contains("take the file away"), "{}", refused.err);
+    assert!(!refused.err.contains("--force"), "{}", refused.err);
 }
 
 #[test]

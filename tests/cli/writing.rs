@@ -163,6 +163,7 @@ fn models_and_measurements_are_replaced_only_by_force() {
         let answer = place.fem(&args);
         assert_eq!((answer.status, place.read("other.toml").as_str()), (2, "mine"), "{command:?}: {}", answer.err);
         assert!(answer.err.contains("other.toml is there already") && answer.err.contains("--force"), "{}", answer.err);
+        assert!(!answer.err.contains("changed since"), "{}", answer.err);
         if command[0] != "diagnose" {
             let answer = place.fem(&[&args[..], &["--force"]].concat());
             assert_eq!(answer.status, 0, "{command:?}: {}", answer.err);
@@ -172,6 +173,19 @@ fn models_and_measurements_are_replaced_only_by_force() {
     // Force does not reach what is read.
     let own = ["add", "lathe.toml", "guideway-taper", "slope=3 um/m", "-o", "lathe.toml", "--force"];
     assert_eq!((place.fem(&own).status, place.read("lathe.toml")), (2, model("lathe.toml")));
+}
+
+#[test]
+fn two_files_of_one_command_have_two_places() {
+    let place = Place::new();
+    place.write("rigid.toml", model("story/rigid.toml"));
+    place.write("measured.csv", model("story/measured.csv"));
+    for (new, rows) in [("both.csv", "./both.csv"), ("next.toml", "next.csv")] {
+        let args = ["diagnose", "rigid.toml", "--with", "measured.csv", "--add-to", new, "--next", rows];
+        let refused = place.fem(&args);
+        assert!(refused.status == 2 && refused.err.contains("would both write"), "{}", refused.err);
+    }
+    assert_eq!(place.files(), ["measured.csv", "rigid.toml"]);
 }
 
 /// A note of a hidden folder in the state folder, as a run makes it, with the files that go from there into `folder`.

@@ -11,7 +11,9 @@ pub use answer::ComparisonAnswer;
 pub use asked::Asked;
 pub use drawing::drawing;
 pub use residuals::residuals;
-pub(super) use text::{NOT_JUDGED, compared, features, noise as noise_text, residual_curve, verdict};
+pub(super) use text::{
+    NO_STRUCTURE, compared, features, noise as noise_text, noise_of_both, not_judged, residual_curve, verdict,
+};
 
 use serde_json::{Value as Json, json};
 

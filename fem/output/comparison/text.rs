@@ -38,7 +38,7 @@ pub(in crate::output) fn compared(measurements: &Measurements, comparisons: &[Co
             Cell::signed(bias),
             Cell::signed(worst),
             Cell::finite(c.reduced_chi2),
-            Cell::Text(verdict(c).into()),
+            Cell::Text(verdict(c, measurements).into()),
         ]
     };
     let numbers = ["rms", "bias", "worst", "chi2/dof"].map(|name| Column::new(name, 11));
@@ -48,18 +48,28 @@ pub(in crate::output) fn compared(measurements: &Measurements, comparisons: &[Co
     Table { caption, ..Table::new(columns, comparisons.iter().map(row)) }
 }
 
-/// What is said of rows that are too few, or stand too much alike, to tell their noise.
-pub(in crate::output) const NOT_JUDGED: &str = "not judged: too few rows at different places, and no column u";
+/// What is said of rows that tell nothing of a model: they read all alike, are too few, or stand too much alike to tell their
+/// noise.
+pub(in crate::output) fn not_judged(measurements: &Measurements) -> &'static str {
+    match measurements.are_all_alike() {
+        true => "not judged: all readings are one number",
+        false => "not judged: too few rows at different places, and no column u",
+    }
+}
+
+/// What is said of a model that leaves no structure, where the noise is only estimated.
+pub(in crate::output) const NO_STRUCTURE: &str =
+    "no structure is left; whether the rest is noise needs repeats or a column u";
 
 /// The verdict on a model as it is written, in a few words.
-pub(in crate::output) fn verdict(c: &Comparison) -> &'static str {
+pub(in crate::output) fn verdict(c: &Comparison, measurements: &Measurements) -> &'static str {
     match (c.adequate(), c.p_value) {
-        _ if c.adequacy().is_none() => NOT_JUDGED,
+        _ if c.adequacy().is_none() => not_judged(measurements),
         (true, Some(_)) => "adequate: nothing is left but the noise",
         (false, None) if c.is_rougher() && c.features.is_empty() => {
             "fails: far more is left than neighbouring rows scatter by, though along no coordinate"
         }
-        (true, None) => "no structure is left; whether the rest is noise needs repeats or a column u",
+        (true, None) => NO_STRUCTURE,
         (false, _) if !c.suspects.is_empty() => "the noise is not what it is taken for",
         (false, _) => "fails",
     }
@@ -73,15 +83,30 @@ pub(in crate::output) fn noise(noise: &NoiseLevel, measurements: &Measurements) 
         NoiseSource::Repeats => "from repeated rows",
         NoiseSource::Estimated => "estimated from what is left",
     };
-    let own =
-        |(seen, sigma): (&MeasuredObservable, &f64)| format!("{:.3} {}", seen.kind.from_si(*sigma), seen.kind.unit);
-    let told = |of: &[f64]| measurements.observables.iter().zip(of).map(own).collect::<Vec<String>>().join(" and ");
+    let told = |of: &[f64]| sizes(of, measurements);
     if noise.factor != 1.0 {
         let stated: Vec<f64> = noise.of.iter().map(|sigma| sigma / noise.factor).collect();
         let (stated, left, times) = (told(&stated), told(&noise.of), noise.factor);
         return format!("u {stated} from the column; what is left is {left}, {times:.1} times as much");
     }
     format!("noise {} ({source})", told(&noise.of))
+}
+
+/// Noise of a model and of the same with what was found, which leaves less: where no column tells it, each has its own.
+pub(in crate::output) fn noise_of_both(before: &NoiseLevel, after: &NoiseLevel, measurements: &Measurements) -> String {
+    let [both, left] = [before, after].map(|level| noise(level, measurements));
+    match before.source == after.source {
+        _ if both == left => both,
+        true => format!("{both}, {} beside what was found", sizes(&after.of, measurements)),
+        false => format!("{both}; beside what was found {left}"),
+    }
+}
+
+/// Sizes (SI) of each of the file's observables.
+fn sizes(of: &[f64], measurements: &Measurements) -> String {
+    let own =
+        |(seen, sigma): (&MeasuredObservable, &f64)| format!("{:.3} {}", seen.kind.from_si(*sigma), seen.kind.unit);
+    measurements.observables.iter().zip(of).map(own).collect::<Vec<String>>().join(" and ")
 }
 
 /// Smallest share of a feature that is notable where there are larger ones.

@@ -98,7 +98,7 @@ impl Answer for DiagnosisAnswer<'_> {
             "observations_used": d.rows,
             "cautions": d.cautions,
             "odds": data.model.odds.iter().map(|(name, odds)| (name.to_string(), json!(odds))).collect::<Map<_, _>>(),
-            "noise": super::comparison::noise(&d.noise, kind),
+            "noise": super::comparison::noise(d.noise_before(), kind),
             "measurement": measurement::json(&data.terms, &*data.model.process, Some(data)),
             "before": goodness(&d.before, kind),
             "features": d.features.iter().map(super::comparison::feature).collect::<Vec<_>>(),
@@ -150,6 +150,7 @@ fn group(group: &Group) -> Json {
 fn goodness(goodness: &GoodnessOfFit, kind: Kind) -> Json {
     json!({
         "rms": kind.from_si(goodness.rms),
+        "sigma": kind.from_si(goodness.noise.together()),
         "chi2_per_dof": finite(goodness.reduced_chi2),
         "p_value": goodness.p_value,
         "held_out": goodness.cross_validation.filter(|h| h.is_finite()),

@@ -66,7 +66,7 @@ pub fn blocks(data: &Data, d: &Diagnosis) -> Vec<Block> {
 
 /// The model, its data, their noise, and what is known of both.
 pub fn head(data: &Data, d: &Diagnosis) -> String {
-    let (name, noise) = (&data.model.source.name, comparison::noise_text(&d.noise, data));
+    let (name, noise) = (&data.model.source.name, comparison::noise_of_both(d.noise_before(), &d.noise, data));
     let mut text = format!("{name} against {}: {} observations, {noise}\n", data.name, data.len());
     text += &measurement::at_work(name, &data.terms, &*data.model.process, Some(data));
     if let Some(machine) = data.model.machine.as_ref().filter(|_| data.model.campaign().is_some()) {

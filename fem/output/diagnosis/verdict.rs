@@ -2,9 +2,10 @@
 
 use super::kinds::{Kinds, is_grouped};
 use super::words::label;
+use crate::compare::Judges;
 use crate::diagnose::{Cause, Diagnosis, GoodnessOfFit, Group, Missing, Verdict};
 use crate::model::Data;
-use crate::output::comparison::NOT_JUDGED;
+use crate::output::comparison::not_judged;
 use crate::output::listing::listed;
 
 /// Most observables of which the error is told one by one; of more it is told in standard uncertainties.
@@ -24,6 +25,9 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
         Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
         Verdict::NotJudged => {
             let left = errors(data, &d.before);
+            if data.are_all_alike() {
+                return format!("{}, and the model is off by {left}", not_judged(data));
+            }
             if data.uncertainty.is_some() {
                 let rows =
                     if data.len() == 1 { "one row tells".to_string() } else { format!("{} rows tell", data.len()) };
@@ -31,7 +35,7 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
                     "not judged: {rows} no cause from another: the model is off by {left}; measure at further places"
                 );
             }
-            format!("{NOT_JUDGED}: the model is off by {left}; repeat rows, or give the column")
+            format!("{}: the model is off by {left}; repeat rows, or give the column", not_judged(data))
         }
         Verdict::MissingEffect => match fall(data, d) {
             Some(fall) => format!("missing: {}; with {them} {fall}, down to the noise", names(d)),
@@ -41,8 +45,14 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
             }
         },
         Verdict::PartlyExplained => {
+            let is_noise = d.remaining.is_empty() && d.suspects.is_empty() && d.after.is_as_noise();
+            let left = match d.missing.iter().any(Missing::describes) {
+                _ if !is_noise => "structure remains",
+                true => "part of that is described, not explained",
+                false => "what is found is in doubt",
+            };
             let fall = fall(data, d).map_or(String::new(), |fall| format!(" with {them} {fall}, and"));
-            format!("partly explained: {};{fall} structure remains", names(d))
+            format!("partly explained: {};{fall} {left}", names(d))
         }
         Verdict::Unexplained if d.missing.iter().any(is_law) => {
             let fall = fall(data, d).unwrap_or_else(|| format!("the model is off by {}", errors(data, &d.after)));
@@ -50,21 +60,24 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
                 Verdict::Adequate => "down to the noise",
                 _ => "and structure remains",
             };
-            let none = no_cause(data);
+            let none = no_cause(data, d);
             format!("unexplained: {none}, but {} describes it; with {them} {fall}, {left}", names(d))
         }
         Verdict::Unexplained => {
             let left = errors(data, &d.before);
-            format!("unexplained: the model is off by {left}, and {}", no_cause(data))
+            format!("unexplained: the model is off by {left}, and {}", no_cause(data, d))
         }
     }
 }
 
 /// What is said of the effects none of which is the cause; of those that were not tried nothing is.
-fn no_cause(data: &Data) -> &'static str {
-    match !data.progress.left_undone().is_empty() {
-        true => "no cause was found in the time, which was over before all effects were tried",
-        false => "no effect known here is the cause",
+fn no_cause(data: &Data, d: &Diagnosis) -> &'static str {
+    match d.judges {
+        _ if !data.progress.left_undone().is_empty() => {
+            "no cause was found in the time, which was over before all effects were tried"
+        }
+        Judges::Wrong => "rows at so few places, and no column u, tell no cause",
+        Judges::Nothing | Judges::Both => "no effect known here is the cause",
     }
 }
 

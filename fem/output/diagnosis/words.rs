@@ -61,16 +61,18 @@ pub fn value_before(missing: &Missing, name: &str) -> Option<String> {
 }
 
 /// Standard uncertainties beyond which the data have moved a value that was roughly known, and the part of its uncertainty
-/// that they must have left to speak of it at all.
+/// that they must have left to speak of it at all, unless they have moved it by as many of what they have left.
 const MOVED: f64 = 2.0;
 const SHARPENED: f64 = 0.5;
+const FAR: f64 = 5.0;
 
 /// Values of the model that were roughly known and that the data move far: what a re-fitted model hides.
 pub fn moved(d: &Diagnosis) -> Vec<String> {
     let text = |e: &Estimate| {
         let Knowledge::Rough(rough) = e.parameter.quantity.knowledge else { return None };
         let (written, kind) = (e.parameter.quantity.value, e.parameter.kind);
-        let is_moved = (e.value - written).abs() > MOVED * rough && e.std < SHARPENED * rough;
+        let by = (e.value - written).abs();
+        let is_moved = by > MOVED * rough && (e.std < SHARPENED * rough || by > FAR * e.std);
         let [value, written, rough] = [e.value, written, rough].map(|si| Short(kind.from_si(si)));
         let unit = kind.unit;
         is_moved

@@ -53,6 +53,11 @@ impl Account {
         Ok(Self { folder, key })
     }
 
+    /// Why the state folder cannot be used, where it cannot.
+    pub fn unusable() -> Option<String> {
+        Self::open().err().map(|error| format!("the state folder (XDG_STATE_HOME) cannot be used, {error}"))
+    }
+
     /// Where what is under way is noted.
     pub fn works(&self) -> PathBuf {
         self.folder.join("works")

@@ -169,7 +169,7 @@ impl<'a> Stage<'a> {
             let path = || self.directory.join(LIST);
             let over = match Over::at(into, &list.name) {
                 Some(over) if matches!(over, Over::Nothing) || is_own_list || self.guard.force => over,
-                Some(_) => return Err(OutputError::Exists { path: path() }),
+                Some(_) => return Err(OutputError::NotOwn { path: path() }),
                 None => return Err(OutputError::Special { path: path() }),
             };
             moves.push(Move { new: list, over });
@@ -213,7 +213,7 @@ impl<'a> Stage<'a> {
         let is_own = |o: &Entry| o.name == entry.name && o.is_untouched(into);
         let is_own = old.iter().any(is_own) && new.is_ok_and(|new| replace::have_one_owner(&new, &there));
         if !self.guard.force && !is_own {
-            return Err(OutputError::Exists { path });
+            return Err(OutputError::NotOwn { path });
         }
         Over::at(into, &entry.name).ok_or(OutputError::Special { path })
     }

@@ -126,10 +126,10 @@ fn verdict(subject: &Subject) -> (String, &'static str) {
             };
             (diagnosis::verdict(found, d), mood)
         }
-        Some(Evidence { comparisons, .. }) => match comparisons.last() {
+        Some(Evidence { comparisons, all, .. }) => match comparisons.last() {
             Some(c) => {
                 let mood = if c.adequate() { "good" } else { "bad" };
-                (format!("{}: {}", c.model, comparison::verdict(c)), mood)
+                (format!("{}: {}", c.model, comparison::verdict(c, all)), mood)
             }
             None => (String::new(), ""),
         },

@@ -98,9 +98,20 @@ impl StudyFolder {
         match layout::parse(&text).filter(|_| is_own) {
             None => {
                 if let Some(name) = [ROWS, PARTIAL, layout::FILE].iter().find(stands) {
-                    let message = format!("{} is there already, and was not begun on this account", at(name).display());
-                    let help = "name another folder (-o, output=), or go on with it all the same (--force)";
-                    return Err(StudyError::Refused(Problem::new(message).help(help)));
+                    let there = at(name).display().to_string();
+                    let problem = match layout::parse(&text) {
+                        Some(_) => Problem::new(format!("{there} is there already, and was not begun on this account"))
+                            .help("name another folder (-o, output=), or go on with it all the same (--force)"),
+                        None => {
+                            let (plan, help) =
+                                (layout::FILE, "name another folder (-o, output=), or take the file away");
+                            Problem::new(format!(
+                                "{there} is there already, and no {plan} beside it says of which plan"
+                            ))
+                            .help(help)
+                        }
+                    };
+                    return Err(StudyError::Refused(problem));
                 }
             }
             Some(_) if earlier.restart => {
@@ -108,9 +119,17 @@ impl StudyFolder {
                     dir.remove_file(name).map_err(failed(name))?;
                 }
             }
-            Some(before) => fits(directory, &before, (layout, shard))?,
+            Some(before) => {
+                fits(directory, &before, (layout, shard))?;
+                if has_lost_sums(&dir, &text) {
+                    let help = "have all rows computed again (--restart, restart=True)";
+                    return Err(StudyError::Refused(lost_sums(directory).help(help)));
+                }
+            }
         }
-        let begun = layout::text(layout, shard, account.as_ref());
+        // Rows of an earlier version that are finished have no sums, and get none.
+        let has_sums = layout::has_sums(&text) || !stands_in(&dir, ROWS);
+        let begun = layout::text(layout, shard, has_sums, account.as_ref());
         files::write(&at(layout::FILE), begun.as_bytes(), Guard { reads, force: true })?;
         let jobs = shard.jobs(layout);
         let now = Instant::now();
@@ -223,6 +242,23 @@ pub fn finished(directory: &Path) -> Option<(PathBuf, BufReader<File>)> {
 pub fn altered(directory: &Path, dir: &Dir, first: u64) -> io::Result<Option<u64>> {
     let Some((_, reader)) = finished(directory) else { return Ok(None) };
     Ok(Sums::of(dir).first_altered(reader)?.map(|number| first + number + 1))
+}
+
+/// Whether the rows of a folder had sums, by the text of its layout, and have none any more.
+fn has_lost_sums(dir: &Dir, text: &[u8]) -> bool {
+    let has_rows = || [ROWS, PARTIAL].iter().any(|name| stands_in(dir, name));
+    layout::has_sums(text) && has_rows() && !stands_in(dir, sums::FILE)
+}
+
+fn lost_sums(directory: &Path) -> Problem {
+    let place = directory.join(sums::FILE);
+    Problem::new(format!("{} is gone: nothing tells whether the rows are as they were written", place.display()))
+}
+
+/// The problem of finished rows whose sums are gone.
+pub fn without_sums(directory: &Path, dir: &Dir) -> Option<Problem> {
+    let text = read_plain(dir, Path::new(layout::FILE), layout::LONGEST).unwrap_or_default();
+    has_lost_sums(dir, &text).then(|| lost_sums(directory))
 }
 
 /// Refuses what was begun with another plan.

@@ -11,8 +11,8 @@ const SCHEMA: &str = "fem-study-rows/1";
 /// A file that is longer was not written by this program.
 pub const LONGEST: u64 = 1 << 28;
 
-/// The text of the file, sealed where there is a key.
-pub fn text(layout: &Layout, shard: Shard, account: Option<&Account>) -> String {
+/// The text of the file, sealed where there is a key; `has_sums` where each row has a sum beside it.
+pub fn text(layout: &Layout, shard: Shard, has_sums: bool, account: Option<&Account>) -> String {
     let word = Nature::WORDS.iter().find(|(_, nature)| *nature == layout.nature).map_or("", |(word, _)| word);
     let end = |value: f64| if value.is_finite() { json!(value) } else { Json::Null };
     let result = |r: &ResultColumn| {
@@ -37,6 +37,7 @@ pub fn text(layout: &Layout, shard: Shard, account: Option<&Account>) -> String 
         "has_data": layout.has_data,
         "results": layout.results.iter().map(result).collect::<Vec<_>>(),
         "shard": [shard.number, shard.of],
+        "sums": has_sums,
     });
     let text = format!("{value:#}\n");
     account.map_or(text.clone(), |account| account.sealed_json(SCHEMA, &text))
@@ -45,6 +46,11 @@ pub fn text(layout: &Layout, shard: Shard, account: Option<&Account>) -> String 
 /// Whether this account has sealed the text of a file.
 pub fn is_own(text: &[u8], account: &Account) -> bool {
     account.has_sealed_json(SCHEMA, text)
+}
+
+/// Whether the text of a file says that each row has a sum beside it; those of earlier versions have none.
+pub fn has_sums(text: &[u8]) -> bool {
+    serde_json::from_slice(text).is_ok_and(|all: Json| all["sums"] == true)
 }
 
 /// Reads the text of the file; `None` where it is no such file.

@@ -4,7 +4,7 @@ use std::io::BufRead;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::folder::{Earlier, FILES, StudyError, StudyFolder, altered, finished, known};
+use super::folder::{Earlier, FILES, StudyError, StudyFolder, altered, finished, known, without_sums};
 use super::rows;
 use crate::input::Problem;
 use crate::output::OutputError;
@@ -36,6 +36,10 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(Layout, PathBuf, Sum
             }
         }
         let dir = folder_at(folder).map_err(OutputError::at(folder))?;
+        if let Some(problem) = without_sums(folder, &dir) {
+            let problem = problem.help("copy the whole folder, or run the shard again with --restart");
+            return Err(StudyError::Refused(problem));
+        }
         if let Some(job) = altered(folder, &dir, shard.jobs(&own).start).map_err(OutputError::at(folder))? {
             let message = format!("row {job} of shard {shard} in {} is not as it was written", folder.display());
             return refused(message, "the file was changed: run the shard again with --restart");
