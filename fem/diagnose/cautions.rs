@@ -1,7 +1,7 @@
 //! Cautions about the data, to be read before a diagnosis is believed.
 
 use super::few_places::few_places;
-use super::prior_conflict::PriorConflict;
+use super::prior_conflict::{PriorConflict, Released};
 use super::search::SearchResult;
 use super::verdict::Verdict;
 use crate::fit::Fit;
@@ -13,7 +13,7 @@ pub fn cautions(
     found: &SearchResult,
     (repeats, fit): (&Repeats, &Fit),
     verdict: Verdict,
-    conflicts: &[PriorConflict],
+    released: &Released,
 ) -> Vec<String> {
     let base = &found.base;
     let measurements = base.objective.data;
@@ -22,7 +22,7 @@ pub fn cautions(
         let column = &measurements.rows.columns[*i];
         !coordinates[*i].repeats && column.iter().any(|v| *v != column[0])
     };
-    let mut cautions: Vec<String> = conflicts.iter().map(PriorConflict::text).collect();
+    let mut cautions: Vec<String> = released.conflicts.iter().map(PriorConflict::text).collect();
     cautions.extend(own_odds(&measurements.model.odds));
     if measurements.progress.is_over() {
         cautions.push("the time was over before the search was: the verdict is about what was tried by then".into());

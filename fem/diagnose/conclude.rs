@@ -14,7 +14,7 @@ use super::look_alike::{self, LookAlike};
 use super::missing::missing;
 use super::outlook::outlooks;
 use super::posterior::{CERTAIN, Posterior, may_be_true};
-use super::prior_conflict::PriorConflict;
+use super::prior_conflict::Released;
 use super::search::SearchResult;
 use super::strain::Strain;
 use super::verdict::{self, GoodnessOfFit, Verdict};
@@ -30,7 +30,7 @@ use crate::process::Failure;
 /// The model cannot be computed beside its best values.
 pub fn conclude(
     mut hypotheses: Vec<Hypothesis>,
-    conflicts: &[PriorConflict],
+    released: &Released,
     mut posterior: Posterior,
     limit: f64,
 ) -> Result<Option<Diagnosis>, Failure> {
@@ -82,10 +82,11 @@ pub fn conclude(
         false => None,
     };
     let own = laplace::criterion_of_values(&best);
-    let (mut before, features) = match plain {
-        Some(plain) => (before_terms(plain, &found.base, judge.folds.as_ref()), verdict::features(&plain.found.base)),
-        None => (alone(&found.base, &repeats, judge.folds.as_ref()), judge.features.clone()),
-    };
+    // Before anything was found or released.
+    let first = released.held.as_ref().or(plain.map(|plain| &plain.found.base));
+    let within = plain.map_or(&repeats, |plain| &plain.repeats);
+    let mut before = before(first.unwrap_or(&found.base), within, (&found.base, judge.folds.as_ref()));
+    let features = first.map_or_else(|| judge.features.clone(), verdict::features);
     // What was held out is told by the noise that all of it is told by.
     let noise = judgement.goodness.noise.clone();
     let searched = found.base.objective.noise.level(found.base.objective.data);
@@ -93,12 +94,13 @@ pub fn conclude(
     steps.for_each(|own| own.tell_held_out_by(searched.together() / noise.together()));
     Ok(Some(Diagnosis {
         rows: found.base.objective.data.len(),
-        cautions: cautions(&found, (&repeats, &fit), verdict, conflicts).into_iter().chain(strain.cautions).collect(),
+        cautions: cautions(&found, (&repeats, &fit), verdict, released).into_iter().chain(strain.cautions).collect(),
         noise,
         before,
         features,
         verdict,
         judges: judge.judges,
+        released: released.conflicts.iter().map(|own| own.parameter.path.to_string()).collect(),
         missing,
         outliers: findings::outliers(&best),
         verdict_after: if verdict == Verdict::MissingEffect { Verdict::Adequate } else { verdict },
@@ -218,12 +220,23 @@ fn tell_the_bend(missing: &mut [Missing], found: &SearchResult, best: &Candidate
     }
 }
 
-/// Goodness of fit of a model without candidate effects, as a fit of it has it: where the noise is only estimated, what is
-/// roughly known weighs against all that this model leaves.
-fn alone(base: &CandidateModel, repeats: &Repeats, folds: Option<&Folds>) -> GoodnessOfFit {
-    let goodness = GoodnessOfFit::of(base, repeats, folds);
-    let Some(alone) = weighed_alone(base) else { return goodness };
-    GoodnessOfFit { cross_validation: goodness.cross_validation, ..GoodnessOfFit::of(&alone, repeats, None) }
+/// Goodness of fit of the first model of all, as a fit of it has it: where the noise is only estimated, what is roughly known
+/// weighs against all that this model leaves. What is held out is told by one noise in all of the table, that of the last
+/// hypothesis, whose model without effects is `last`.
+fn before(
+    first: &CandidateModel,
+    repeats: &Repeats,
+    (last, folds): (&CandidateModel, Option<&Folds>),
+) -> GoodnessOfFit {
+    let level = |trial: &CandidateModel| trial.objective.noise.level(trial.objective.data).together();
+    let mut goodness = GoodnessOfFit::of(first, repeats, folds);
+    goodness.tell_held_out_by(level(first) / level(last));
+    match weighed_alone(first) {
+        None => goodness,
+        Some(alone) => {
+            GoodnessOfFit { cross_validation: goodness.cross_validation, ..GoodnessOfFit::of(&alone, repeats, None) }
+        }
+    }
 }
 
 /// A model under the noise that it leaves itself, where that is only estimated and values are roughly known.
@@ -232,14 +245,4 @@ fn weighed_alone<'a>(base: &CandidateModel<'a>) -> Option<CandidateModel<'a>> {
     let mut alone = is_weighed.then(|| base.clone())?;
     (alone.solution, _) = fit::settled(&mut alone.objective, alone.solution).ok()?;
     Some(alone)
-}
-
-/// Goodness of fit of the model before any term of the noise was found; all of the table is told by one noise, that of the last
-/// hypothesis, whose model without effects this is.
-fn before_terms(plain: &Hypothesis, last: &CandidateModel, folds: Option<&Folds>) -> GoodnessOfFit {
-    let base = &plain.found.base;
-    let mut goodness = alone(base, &plain.repeats, folds);
-    let level = |trial: &CandidateModel| trial.objective.noise.level(trial.objective.data).together();
-    goodness.cross_validation = goodness.cross_validation.map(|cv| cv * level(base) / level(last));
-    goodness
 }

@@ -31,6 +31,8 @@ pub struct Diagnosis {
     pub features: Vec<Feature>,
     /// Verdict.
     pub verdict: Verdict,
+    /// Paths of values that are taken as unknown here, because the data contradict what is roughly known of them.
+    pub released: Vec<String>,
     /// What these rows can tell of a model.
     #[doc(hidden)]
     pub judges: Judges,

@@ -83,6 +83,7 @@ use hypothesis::Hypothesis;
 use on_trial::values_on_trial;
 use pool::NoiseChange;
 use posterior::Visit;
+use prior_conflict::Released;
 use search::Extent;
 use settle::look_until_settled;
 
@@ -157,7 +158,7 @@ fn diagnose_all<'a>(data: &'a Data<'a>, limit: f64, extent: Extent<'_, 'a>) -> R
     objective.noise = noise;
     objective.coarseness = coarseness::coarseness(&objective, &solution, &absent);
     let mut found = look_until_settled(&mut objective, &mut solution, &absent, &within, extent)?;
-    let mut conflicts = Vec::new();
+    let mut released = Released::default();
     // Rows that do not tell their noise ask for no value against what is written.
     let judges = Judges::of(data, &found.base.residuals(), &objective.noise, &within);
     while judges == Judges::Both
@@ -166,8 +167,9 @@ fn diagnose_all<'a>(data: &'a Data<'a>, limit: f64, extent: Extent<'_, 'a>) -> R
         if !progress.permits("the search with a value released that conflicts with what is written") {
             break;
         }
+        released.held.get_or_insert_with(|| found.base.clone());
         objective.variables[parameter].prior = None;
-        conflicts.push(conflict);
+        released.conflicts.push(conflict);
         let before = std::mem::take(&mut found.tried);
         let extent = Extent { known: &before, ..extent };
         found = look_until_settled(&mut objective, &mut solution, &absent, &within, extent)?;
@@ -177,7 +179,7 @@ fn diagnose_all<'a>(data: &'a Data<'a>, limit: f64, extent: Extent<'_, 'a>) -> R
     let exploration = Exploration { start: &solution, absent: &absent, repeats, most, progress, visits: &visits };
     let hypotheses = progress.stretch("under which noise to search", || exploration.weigh(first))?;
     let posterior = Posterior::new(&visits.take());
-    let conclude = || conclude::conclude(hypotheses, &conflicts, posterior, limit);
+    let conclude = || conclude::conclude(hypotheses, &released, posterior, limit);
     let diagnosis = progress.stretch("conclusion, intervals included", conclude);
     progress.advance(1);
     diagnosis

@@ -14,10 +14,19 @@ use crate::units::Knowledge;
 /// Prior standard uncertainties beyond which a written value is doubted.
 const FAR: f64 = 4.0;
 
+/// Values that are taken as unknown because the data contradict what is written, and the model as it is written.
+#[derive(Default)]
+pub struct Released<'a> {
+    /// What conflicts.
+    pub conflicts: Vec<PriorConflict>,
+    /// The model without candidate effects, held to all that is written; `None` where nothing conflicts.
+    pub held: Option<CandidateModel<'a>>,
+}
+
 /// Prior that conflicts with the data.
 pub struct PriorConflict {
     /// Parameter with its written value and uncertainty.
-    parameter: Parameter,
+    pub parameter: Parameter,
     /// Value that the data ask for, SI.
     asked: f64,
 }
@@ -30,10 +39,9 @@ impl PriorConflict {
             Knowledge::Rough(std) => std / k.canonical().factor,
             Knowledge::Known | Knowledge::Free => 0.0,
         };
-        let (written, asked) =
-            (fit::uncertain(k.from_si(q.value), std), fit::uncertain(k.from_si(self.asked), 0.1 * std));
+        let (written, asked) = (fit::uncertain(k.from_si(q.value), std), fit::five_digits(k.from_si(self.asked)));
         format!(
-            "{} is written as {written} {unit}, and the data ask for {asked}: it is taken as unknown here; check what is written",
+            "{} is written as {written} {unit}, and the data ask for {asked} {unit}: it is taken as unknown here; check what is written",
             self.parameter.path,
             unit = k.unit
         )

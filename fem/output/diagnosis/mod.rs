@@ -97,6 +97,7 @@ impl Answer for DiagnosisAnswer<'_> {
             "observations": data.len(),
             "observations_used": d.rows,
             "cautions": d.cautions,
+            "released": d.released,
             "odds": data.model.odds.iter().map(|(name, odds)| (name.to_string(), json!(odds))).collect::<Map<_, _>>(),
             "noise": super::comparison::noise(d.noise_before(), kind),
             "measurement": measurement::json(&data.terms, &*data.model.process, Some(data)),

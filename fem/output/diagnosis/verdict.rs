@@ -22,7 +22,14 @@ pub fn verdict(data: &Data, d: &Diagnosis) -> String {
         _ => "them",
     };
     match d.verdict {
-        Verdict::Adequate => "nothing is missing: the noise explains what the model leaves".into(),
+        Verdict::Adequate if d.released.is_empty() => {
+            "nothing is missing: the noise explains what the model leaves".into()
+        }
+        Verdict::Adequate => {
+            let (paths, are) = (d.released.join(", "), if d.released.len() == 1 { "is" } else { "are" });
+            let fall = fall(data, d).map_or(String::new(), |fall| format!(": {fall}, down to the noise"));
+            format!("nothing else is missing once {paths} {are} taken as unknown{fall}")
+        }
         Verdict::NotJudged => {
             let left = errors(data, &d.before);
             if data.are_all_alike() {
