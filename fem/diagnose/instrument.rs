@@ -95,7 +95,7 @@ fn judged(trial: &CandidateModel, repeats: &Repeats, mean: &DMatrix<f64>, sets: 
     let restricted = Restricted { measurements: trial.objective.data, residuals: &residuals, mean };
     let judge = |terms: Vec<Term>| {
         let (own, repeats) = plain(trial, repeats, &terms);
-        let noise = sized(&restricted, own, &terms);
+        let noise = sized(&restricted, own, &terms, &trial.objective.data.terms);
         let mut refitted = trial.clone();
         refitted.objective.noise = noise.clone();
         let solution = minimise(&mut refitted.objective, &trial.solution.position, &[], QUICK);
@@ -115,12 +115,20 @@ pub fn settled(trial: &CandidateModel, repeats: &Repeats) -> Option<(Noise, Repe
     let restricted = Restricted { measurements: trial.objective.data, residuals: &residuals, mean: &mean };
     let terms = trial.objective.noise.terms.clone();
     let (own, within) = plain(trial, repeats, &terms);
-    Some((sized(&restricted, own, &terms), within))
+    Some((sized(&restricted, own, &terms, &trial.objective.data.terms), within))
 }
 
 /// The noise with the sizes of its terms at their most likely values; without terms repeats tell its level.
-fn sized(restricted: &Restricted, own: Noise, terms: &[Term]) -> Noise {
-    if terms.is_empty() { own } else { restricted.estimate(&own, terms, terms.len()) }
+fn sized(restricted: &Restricted, own: Noise, terms: &[Term], stated: &[Term]) -> Noise {
+    if terms.is_empty() {
+        return own;
+    }
+    let of_found = |term: &Term| match term.is_among(stated) {
+        true => term.clone(),
+        false => effects::outlying_by(term, restricted.residuals, &own),
+    };
+    let terms: Vec<Term> = terms.iter().map(of_found).collect();
+    restricted.estimate(&own, &terms, terms.len())
 }
 
 /// A model with the sizes of its terms estimated anew, fitted again.

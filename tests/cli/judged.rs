@@ -126,6 +126,20 @@ fn uncertainties_that_cannot_be_meant_are_told() {
     }
 }
 
+/// One reading a hundred to ten thousand standard deviations off: no law is found for it, and what is missing is named beside.
+#[test]
+fn a_reading_far_off_is_outlying_and_hides_no_cause() {
+    let place = Place::new();
+    for far in ["50", "5000"] {
+        hidden(&place, "axis-000", "deviation", |row, value| if row == 6 { far.into() } else { value.to_string() });
+        let found = json(&place, &["diagnose", "model.toml", "--with", "m.csv"]);
+        let names: Vec<&str> =
+            found["missing"].as_array().unwrap().iter().map(|own| own["effect"].as_str().unwrap()).collect();
+        assert_eq!(names, ["outliers", "periodic-error"], "{far}: {found:#}");
+        assert_eq!(found["outliers"][0]["line"], 7, "{found:#}");
+    }
+}
+
 /// Readings of the other sign bring values to where the jaws let go: there is a side beside them all the same.
 #[test]
 fn a_model_on_the_edge_of_what_can_be_computed_has_a_diagnosis() {

@@ -25,7 +25,7 @@ pub use discrepancy::DISCREPANCY;
 pub use drift::DRIFT;
 pub use gain::GAIN;
 pub use jump::JUMP;
-pub use outliers::{OUTLIERS, contradictions, of as outlying};
+pub use outliers::{OUTLIERS, contradictions, of as outlying, outlying_by};
 pub use resolution::RESOLUTION;
 pub use uncertainty_scale::UNCERTAINTY_SCALE;
 pub use wave::WAVE;

@@ -1,5 +1,6 @@
 //! Single rows are wrong.
 
+use super::super::Noise;
 use super::super::contradiction::{FEW, contradicting, contradictions as contradictory};
 use super::super::evidence::Evidence;
 use super::super::key::{IN_FILE, OBSERVABLE, ROWS};
@@ -30,6 +31,18 @@ pub static OUTLIERS: MeasurementEffect = MeasurementEffect {
 /// The term of these rows.
 pub fn of(rows: Vec<usize>) -> Term {
     Term { rows, size: OUTLYING, ..Term::new(&OUTLIERS) }
+}
+
+/// The term of outlying rows with a factor as large as the farthest of them lies off (residuals in SI, and the noise of the
+/// others): beside a smaller one a slip of the pen by a hundred standard deviations would leave ten, which laws are found for.
+/// A term of another kind as it is.
+pub fn outlying_by(term: &Term, residuals: &[f64], own: &Noise) -> Term {
+    let mut term = term.clone();
+    if *term.effect == OUTLIERS {
+        let farthest = term.rows.iter().map(|row| residuals[*row].abs() / own.sigma[*row]).fold(OUTLYING, f64::max);
+        term.size = farthest;
+    }
+    term
 }
 
 /// The terms with outlying rows that contradict the rows that they repeat; `None` where there are none, or
